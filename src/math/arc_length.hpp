@@ -12,10 +12,11 @@ namespace vides {
 // A table over one CubicSegment. Lengths are in the segment's units.
 //
 // length() and lengthAt() are exact to 1e-12 relative; parameterAt() satisfies
-// |lengthAt(parameterAt(s)) - s| <= 1e-12 length(), also on cusps and zero tangents. The integral is
-// split at the real roots of d|Q'|^2/du (where |Q'| may turn sharply) and then adaptively, Gauss-
-// Legendre 8 against 2 x 8 points. Asks for the same segment that it was built from, so that the
-// table itself stays small.
+// |lengthAt(parameterAt(s)) - s| <= 1e-12 length(), also on cusps and zero tangents. The integral
+// is split at the real roots of d|Q'|^2/du (where |Q'| may turn sharply) and then adaptively,
+// Gauss- Legendre 8 against 2 x 8 points. Asks for the same segment that it was built from, so that
+// the table itself stays small. Every result is a pure function of the segment and the argument. A
+// segment of length 0 has one panel; its parameterAt() is 0 for s <= 0 and 1 beyond.
 class ArcLength {
  public:
   ArcLength() = default;
@@ -34,6 +35,8 @@ class ArcLength {
     double s = 0.0;      // length up to there
     double speed = 0.0;  // |Q'(u)| there
   };
+  class Builder;
+
   std::vector<Panel> panels_;  // with one closing entry at u = 1
   double length_ = 0.0;
 };

@@ -8,8 +8,8 @@ inline constexpr double kMinZoom = 1.0;
 inline constexpr double kMaxZoom = 100.0;
 
 struct Lens {
-  double sensorWidth = 36.0;          // millimetres, > 0
-  double focalLengthAtZoom1 = 12.0;   // millimetres, > 0
+  double sensorWidth = 36.0;         // millimetres, > 0
+  double focalLengthAtZoom1 = 12.0;  // millimetres, > 0
   double focalLengthAtZoom100 = 210.0;
   bool operator==(const Lens&) const = default;
 

@@ -55,14 +55,16 @@ class SlerpArc {
   const Quaternion& end() const { return b_; }
 
  private:
+  void straightenTangent();
+
   Quaternion a_{1.0, 0.0, 0.0, 0.0};
   Quaternion b_{1.0, 0.0, 0.0, 0.0};
-  double angle_ = 0.0;
-  double inverseSine_ = 0.0;
+  Quaternion tangent_{0.0, 0.0, 0.0, 0.0};  // unit, perpendicular to a, towards b
+  double angle_ = 0.0;                      // on the 3-sphere, in [0, pi]
 };
 
-// Half the rotation angle times the unit axis (world axes) of a unit quaternion; exp is its inverse.
-// Exact for tiny angles; log(-1) is some vector of length pi.
+// Half the rotation angle times the unit axis (world axes) of a unit quaternion; exp is its
+// inverse. Exact for tiny angles; log(-1) is some vector of length pi.
 Vec3 log(const Quaternion& q);
 Quaternion exp(const Vec3& halfAngleAxis);
 

@@ -20,8 +20,8 @@ using SpeedValues = std::array<double, kSpeedValues>;
 
 class SpeedCurve {
  public:
-  // `before` is the last value of the previous section's curve, `after` the first of the next one's;
-  // nothing where the flight ends: the curve then continues linearly.
+  // `before` is the last value of the previous section's curve, `after` the first of the next
+  // one's; nothing where the flight ends: the curve then continues linearly.
   explicit SpeedCurve(const SpeedValues& values, std::optional<double> before = std::nullopt,
                       std::optional<double> after = std::nullopt);
   SpeedCurve();  // constant base speed
