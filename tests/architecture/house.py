@@ -18,13 +18,18 @@ MAY_INCLUDE = {
     "evaluate": {"math", "flight"},
     "io": {"math", "flight", "evaluate"},
     "scene": {"math", "flight", "evaluate"},
-    "edit": {"math", "flight", "evaluate", "scene"},
+    # What the user does, as values: tools and the editor read it, hosts and scripts fill it.
+    "input": set(),
+    "edit": {"math", "flight", "evaluate", "scene", "input"},
     "render": {"math", "flight", "evaluate", "scene"},
-    "panels": {"math", "flight", "evaluate", "scene", "edit"},
+    "panels": {"math", "flight", "evaluate", "scene", "edit", "input"},
     # A window or an offscreen context: who draws what into it is the app's matter.
-    "host": {"math", "flight", "evaluate", "scene", "render"},
-    "app": {"math", "flight", "evaluate", "io", "scene", "edit", "render", "panels", "host"},
-    "capi": {"math", "flight", "evaluate", "io", "scene", "edit", "render", "panels", "host", "app"},
+    "host": {"math", "flight", "evaluate", "scene", "input", "render"},
+    "app": {
+        "math", "flight", "evaluate", "io", "scene", "input", "edit", "render", "panels", "host"},
+    "capi": {
+        "math", "flight", "evaluate", "io", "scene", "input", "edit", "render", "panels", "host",
+        "app"},
 }
 
 # Foreign headers that only some folders may see: (name, pattern, folders).
