@@ -94,7 +94,7 @@ class SharedSequence {
   // i < size().
   void set(std::size_t i, T item) {
     assert(i < size());
-    root_ = replaced(*root_, i, std::move(item));
+    root_ = replaced(*root_, i, std::span<const T>(&item, 1));
   }
   // i <= size().
   void insert(std::size_t i, T item) {
@@ -127,7 +127,7 @@ class SharedSequence {
       return;
     }
     const std::size_t common = std::min(count, items.size());
-    for (std::size_t k = 0; k < common; ++k) set(first + k, items[k]);
+    if (common > 0) root_ = replaced(*root_, first, items.first(common));
     for (std::size_t k = common; k < count; ++k) erase(first + common);
     for (std::size_t k = common; k < items.size(); ++k) insert(first + k, items[k]);
   }
@@ -239,15 +239,20 @@ class SharedSequence {
     root_ = level.front();
   }
 
-  static NodePointer replaced(const Node& node, std::size_t i, T item) {
+  // The items from i on replaced by `items`, which must fit into the node.
+  static NodePointer replaced(const Node& node, std::size_t i, std::span<const T> items) {
     if (node.isLeaf()) {
-      std::vector<T> items = node.items;
-      items[i] = std::move(item);
-      return makeLeaf(std::move(items));
+      std::vector<T> all = node.items;
+      std::copy(items.begin(), items.end(), all.begin() + static_cast<std::ptrdiff_t>(i));
+      return makeLeaf(std::move(all));
     }
-    const std::size_t c = node.childOf(i);
     std::vector<NodePointer> children = node.children;
-    children[c] = replaced(*node.children[c], i - node.starts[c], std::move(item));
+    for (std::size_t c = node.childOf(i); !items.empty(); ++c) {
+      const std::size_t part = std::min(items.size(), node.starts[c + 1] - i);
+      children[c] = replaced(*children[c], i - node.starts[c], items.first(part));
+      items = items.subspan(part);
+      i += part;
+    }
     return makeInner(std::move(children));
   }
 

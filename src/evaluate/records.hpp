@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// What the evaluator keeps for each key, and the tree of these records with its prefix sums.
+//
+// A record is made in three stages, each a pure function of what stands before:
+//   1 the curve piece and what differs (the flight's keys k-1 ... k+2);
+//   2 the speed curve and the number of frames (stage 1 of the nearest sections with frames);
+//   3 the orientation curve (stages 1 and 2 of the nearest sections with frames).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "evaluate/orientation_path.hpp"
+#include "evaluate/section.hpp"
+#include "flight/flight.hpp"
+#include "math/arc_length.hpp"
+
+namespace vides {
+
+struct CurvePiece {
+  CubicSegment curve;
+  ArcLength arc;
+  double length = 0.0;      // cube units; 0 between coincident keys
+  bool coincident = false;  // the keys are one place
+};
+
+// How the sign of an orientation's quaternion leads to that of the next one: kept, flipped, or,
+// where they are perpendicular, always +1.
+enum class SignLink : std::uint8_t { kKeep, kFlip, kReset };
+
+// A function from sign to sign; composition is associative.
+struct SignMap {
+  std::int8_t ofPlus = 1;
+  std::int8_t ofMinus = -1;
+  int operator()(int sign) const { return sign > 0 ? ofPlus : ofMinus; }
+  // First this, then `later`.
+  SignMap then(const SignMap& later) const {
+    return {static_cast<std::int8_t>(later(ofPlus)), static_cast<std::int8_t>(later(ofMinus))};
+  }
+  static SignMap of(SignLink link) {
+    if (link == SignLink::kKeep) return {1, -1};
+    return link == SignLink::kFlip ? SignMap{-1, 1} : SignMap{1, 1};
+  }
+};
+
+// The signs that a stored orientation curve was made with, each relative to the start of the
+// section that it belongs to.
+struct LinkSigns {
+  std::int8_t own = 1;
+  std::int8_t previous = 1;
+  std::int8_t next = 1;
+  bool operator==(const LinkSigns&) const = default;
+};
+
+// One orientation and the section that it begins.
+struct SectionRecord {
+  // Stage 1: the orientation itself.
+  Quaternion q{1.0, 0.0, 0.0, 0.0};  // without the chain's sign
+  double zoom = 12.0;
+  double roll = 0.0;  // degrees
+  std::int64_t holdFrames = 0;
+  // Stage 1: up to the next orientation.
+  Quaternion qEnd{1.0, 0.0, 0.0, 0.0};
+  double zoomEnd = 12.0;
+  Vec3 positionEnd{0.0};
+  Vec3 aim{0.0};                 // cube coordinates, where tracking
+  double rollChange = 0.0;       // degrees, in [-180, 180]
+  double workByRate = 0.0;       // 50 rate M
+  double durationFrames = -1.0;  // duration * frame rate, negative where there is none
+  SectionKind kind = SectionKind::kHold;
+  SignLink link = SignLink::kKeep;
+  bool exists = false;    // has frames
+  bool tracking = false;  // a move between absolute aims on one point
+  // Stage 2.
+  SpeedCurve speed;
+  double work = 0.0;
+  std::int64_t frames = 0;
+  // Stage 3.
+  OrientationPath path;
+  LinkSigns signs;
+  bool signsDependOnChain = false;
+};
+
+struct KeyRecord {
+  Vec3 position{0.0};
+  std::shared_ptr<const CurvePiece> piece;  // null after the last key of an open flight
+  std::vector<SectionRecord> sections;      // one per orientation
+
+  double lengthOf(const SectionRecord& s) const {
+    return s.kind == SectionKind::kMove ? piece->length : 0.0;
+  }
+};
+
+__extension__ typedef __int128 FixedPoint;
+
+// Sums over records. Lengths are summed in fixed point (units of 2^-60), so that the sum does not
+// depend on the shape of the tree.
+struct RecordSummary {
+  std::int64_t frames = 0;
+  std::int64_t entries = 0;   // sections and holds with frames
+  std::int64_t sections = 0;  // sections with frames, without the holds before them
+  std::int64_t holdFrames = 0;
+  std::int64_t orientations = 0;
+  FixedPoint length = 0;
+  SignMap signs;
+
+  static RecordSummary of(const std::shared_ptr<const KeyRecord>& record);
+  RecordSummary operator+(const RecordSummary& o) const;
+};
+
+using RecordPointer = std::shared_ptr<const KeyRecord>;
+class EvaluationTree : public SharedSequence<RecordPointer, RecordSummary> {
+ public:
+  using SharedSequence::SharedSequence;
+};
+
+// Stage 1 of key k. `reuse` is a piece that may be taken over if its curve is the same, or null.
+std::shared_ptr<KeyRecord> makeRecord(const Flight& flight, const Key* before, const Key& key,
+                                      const Key* next, const Key* afterNext,
+                                      const std::shared_ptr<const CurvePiece>& reuse);
+// Stage 2.
+void setSpeed(SectionRecord& section, std::optional<double> before, std::optional<double> after);
+
+}  // namespace vides
