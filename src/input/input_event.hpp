@@ -50,7 +50,7 @@ struct WheelTurned {
 
 // `modifiers` are those held after the change: pressing left_shift has shift, releasing it has not.
 struct KeyChanged {
-  Key key = Key::kUnknown;
+  KeyboardKey key = KeyboardKey::kUnknown;
   bool pressed = false;
   bool repeated = false;  // pressed again by being held
   Modifiers modifiers;

@@ -29,72 +29,77 @@ constexpr std::array<std::string_view, kKeyCount> kNames = {
 
 struct Alias {
   std::string_view name;
-  Key key;
+  KeyboardKey key;
 };
 constexpr std::array kAliases = {
-    Alias{"ctrl", Key::kLeftControl}, Alias{"control", Key::kLeftControl},
-    Alias{"shift", Key::kLeftShift},  Alias{"alt", Key::kLeftAlt},
-    Alias{"super", Key::kLeftSuper},  Alias{"return", Key::kEnter},
-    Alias{"pageup", Key::kPageUp},    Alias{"pagedown", Key::kPageDown},
+    Alias{"ctrl", KeyboardKey::kLeftControl}, Alias{"control", KeyboardKey::kLeftControl},
+    Alias{"shift", KeyboardKey::kLeftShift},  Alias{"alt", KeyboardKey::kLeftAlt},
+    Alias{"super", KeyboardKey::kLeftSuper},  Alias{"return", KeyboardKey::kEnter},
+    Alias{"pageup", KeyboardKey::kPageUp},    Alias{"pagedown", KeyboardKey::kPageDown},
 };
 
 struct Sign {
   char character;
-  Key key;
+  KeyboardKey key;
 };
 constexpr std::array kSigns = {
-    Sign{' ', Key::kSpace},       Sign{'-', Key::kMinus},       Sign{'+', Key::kPlus},
-    Sign{'=', Key::kEqual},       Sign{',', Key::kComma},       Sign{'.', Key::kPeriod},
-    Sign{'/', Key::kSlash},       Sign{'\\', Key::kBackslash},  Sign{';', Key::kSemicolon},
-    Sign{'\'', Key::kApostrophe}, Sign{'[', Key::kLeftBracket}, Sign{']', Key::kRightBracket},
-    Sign{'`', Key::kGraveAccent},
+    Sign{' ', KeyboardKey::kSpace},       Sign{'-', KeyboardKey::kMinus},
+    Sign{'+', KeyboardKey::kPlus},        Sign{'=', KeyboardKey::kEqual},
+    Sign{',', KeyboardKey::kComma},       Sign{'.', KeyboardKey::kPeriod},
+    Sign{'/', KeyboardKey::kSlash},       Sign{'\\', KeyboardKey::kBackslash},
+    Sign{';', KeyboardKey::kSemicolon},   Sign{'\'', KeyboardKey::kApostrophe},
+    Sign{'[', KeyboardKey::kLeftBracket}, Sign{']', KeyboardKey::kRightBracket},
+    Sign{'`', KeyboardKey::kGraveAccent},
 };
 
-Key offset(Key first, int steps) { return static_cast<Key>(static_cast<int>(first) + steps); }
+KeyboardKey offset(KeyboardKey first, int steps) {
+  return static_cast<KeyboardKey>(static_cast<int>(first) + steps);
+}
 
 }  // namespace
 
-std::string_view keyName(Key key) { return kNames[static_cast<std::size_t>(key)]; }
+std::string_view keyName(KeyboardKey key) { return kNames[static_cast<std::size_t>(key)]; }
 
-std::optional<Key> keyFromName(std::string_view name) {
+std::optional<KeyboardKey> keyFromName(std::string_view name) {
   std::string small(name);
   for (char& c : small) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   const auto found = std::find(kNames.begin() + 1, kNames.end(), small);
-  if (found != kNames.end()) return static_cast<Key>(found - kNames.begin());
+  if (found != kNames.end()) return static_cast<KeyboardKey>(found - kNames.begin());
   for (const Alias& alias : kAliases) {
     if (alias.name == small) return alias.key;
   }
   return std::nullopt;
 }
 
-std::optional<Key> keyThatPrints(std::string_view character) {
+std::optional<KeyboardKey> keyThatPrints(std::string_view character) {
   if (character.size() != 1) return std::nullopt;
   const char c = character.front();
-  if (c >= 'a' && c <= 'z') return offset(Key::kA, c - 'a');
-  if (c >= 'A' && c <= 'Z') return offset(Key::kA, c - 'A');
-  if (c >= '0' && c <= '9') return offset(Key::k0, c - '0');
+  if (c >= 'a' && c <= 'z') return offset(KeyboardKey::kA, c - 'a');
+  if (c >= 'A' && c <= 'Z') return offset(KeyboardKey::kA, c - 'A');
+  if (c >= '0' && c <= '9') return offset(KeyboardKey::k0, c - '0');
   for (const Sign& sign : kSigns) {
     if (sign.character == c) return sign.key;
   }
   return std::nullopt;
 }
 
-std::optional<int> digitOf(Key key) {
-  if (key >= Key::k0 && key <= Key::k9) return static_cast<int>(key) - static_cast<int>(Key::k0);
-  if (key >= Key::kPad0 && key <= Key::kPad9) {
-    return static_cast<int>(key) - static_cast<int>(Key::kPad0);
+std::optional<int> digitOf(KeyboardKey key) {
+  if (key >= KeyboardKey::k0 && key <= KeyboardKey::k9)
+    return static_cast<int>(key) - static_cast<int>(KeyboardKey::k0);
+  if (key >= KeyboardKey::kPad0 && key <= KeyboardKey::kPad9) {
+    return static_cast<int>(key) - static_cast<int>(KeyboardKey::kPad0);
   }
   return std::nullopt;
 }
 
-Modifiers modifierOf(Key key) {
+Modifiers modifierOf(KeyboardKey key) {
   Modifiers result;
-  result.shift = key == Key::kLeftShift || key == Key::kRightShift;
-  result.control = key == Key::kLeftControl || key == Key::kRightControl;
-  result.alt = key == Key::kLeftAlt || key == Key::kRightAlt;
-  result.super = key == Key::kLeftSuper || key == Key::kRightSuper;
+  result.shift = key == KeyboardKey::kLeftShift || key == KeyboardKey::kRightShift;
+  result.control = key == KeyboardKey::kLeftControl || key == KeyboardKey::kRightControl;
+  result.alt = key == KeyboardKey::kLeftAlt || key == KeyboardKey::kRightAlt;
+  result.super = key == KeyboardKey::kLeftSuper || key == KeyboardKey::kRightSuper;
   return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keys and modifiers, named as in the scripts of `vides drive`.
+// The keyboard's keys and modifiers, named as in the scripts of `vides drive`. (`Key` alone is a
+// position of the flight.)
 //
 // A key that prints a letter, digit or sign goes by what it prints, not by where it lies: kZ is
 // where Z is printed. Where the layout prints no Latin letter (Greek, Cyrillic) it goes by its
@@ -13,7 +14,7 @@
 namespace vides {
 
 // clang-format off
-enum class Key : std::uint8_t {
+enum class KeyboardKey : std::uint8_t {
   kUnknown,
   kA, kB, kC, kD, kE, kF, kG, kH, kI, kJ, kK, kL, kM,
   kN, kO, kP, kQ, kR, kS, kT, kU, kV, kW, kX, kY, kZ,
@@ -28,7 +29,7 @@ enum class Key : std::uint8_t {
   kLeftShift, kRightShift, kLeftControl, kRightControl, kLeftAlt, kRightAlt, kLeftSuper, kRightSuper,
 };
 // clang-format on
-inline constexpr int kKeyCount = static_cast<int>(Key::kRightSuper) + 1;
+inline constexpr int kKeyCount = static_cast<int>(KeyboardKey::kRightSuper) + 1;
 
 struct Modifiers {
   bool shift = false;
@@ -39,19 +40,19 @@ struct Modifiers {
 };
 
 // "z", "7", "pad_7", "page_up", "f1", "left_shift"; "unknown" for kUnknown.
-std::string_view keyName(Key key);
+std::string_view keyName(KeyboardKey key);
 
 // The key of that name, capital or small; nothing for other text. "ctrl", "shift", "alt" and
 // "super" are the left ones, "return" is enter.
-std::optional<Key> keyFromName(std::string_view name);
+std::optional<KeyboardKey> keyFromName(std::string_view name);
 
 // The key that prints this one character (UTF-8): letters of both cases, digits, signs.
-std::optional<Key> keyThatPrints(std::string_view character);
+std::optional<KeyboardKey> keyThatPrints(std::string_view character);
 
 // The digit on a key of the row or the number pad.
-std::optional<int> digitOf(Key key);
+std::optional<int> digitOf(KeyboardKey key);
 
 // The modifier that a key stands for, set in the result; none for other keys.
-Modifiers modifierOf(Key key);
+Modifiers modifierOf(KeyboardKey key);
 
 }  // namespace vides
