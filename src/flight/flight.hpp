@@ -22,8 +22,8 @@
 
 namespace vides {
 
-// Members of the file that vides doesn't know (names that begin with "x_"), kept as they were: name
-// (decoded) and the value's JSON text. Null where there are none.
+// Members of the file that vides doesn't know (names that begin with "x_"), kept as they were: the
+// name's JSON text, with its quotes, and the value's. Null where there are none.
 using ExtraMembers = std::vector<std::pair<std::string, std::string>>;
 using Extra = std::shared_ptr<const ExtraMembers>;
 bool sameExtra(const Extra& a, const Extra& b);
