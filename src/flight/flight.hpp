@@ -125,10 +125,11 @@ class KeyList {
   Sequence sequence_;
 };
 
-struct Picture {
+// The size of the film's pictures. (A picture's pixels are render's Picture.)
+struct PictureFormat {
   int width = 1920;  // pixels
   int height = 1080;
-  bool operator==(const Picture&) const = default;
+  bool operator==(const PictureFormat&) const = default;
 };
 
 // world = center + halfSize * cube.
@@ -163,7 +164,7 @@ std::array<Shape, kPresets> paperPresets();
 struct Flight {
   std::string name;
   double frameRate = 25.0;  // frames per second
-  Picture picture;
+  PictureFormat picture;
   Lens lens;
   Space space;
   Rates rates;
