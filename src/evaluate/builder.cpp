@@ -118,7 +118,7 @@ class Update : public Chain {
 const Key* Update::keyAt(std::ptrdiff_t k) const {
   const auto n = static_cast<std::ptrdiff_t>(flight_.keys.size());
   if (k < 0 || k >= n) {
-    if (!flight_.closed) return nullptr;
+    if (!flight_.closed || n == 0) return nullptr;
     k = (k + n) % n;
   }
   return &flight_.keys[static_cast<std::size_t>(k)];

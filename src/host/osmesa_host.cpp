@@ -68,7 +68,7 @@ class OsmesaHost final : public OffscreenHost {
 
   OsmesaFunctions osmesa_;
   OsmesaContext context_ = nullptr;
-  std::array<std::uint32_t, kUnusedSide * kUnusedSide> unused_{};
+  std::array<std::uint32_t, std::size_t{kUnusedSide} * kUnusedSide> unused_{};
 };
 
 }  // namespace

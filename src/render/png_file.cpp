@@ -29,7 +29,8 @@ void append(void* context, void* data, int size) {
 }
 
 std::string failure(const std::filesystem::path& file, int error) {
-  return fmt::format("{}: {}", file.string(), std::strerror(error));
+  const char* reason = strerrordesc_np(error);  // never translated, and safe in threads
+  return fmt::format("{}: {}", file.string(), reason != nullptr ? reason : "unknown error");
 }
 
 // 0, or the error's number.
