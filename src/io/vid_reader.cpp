@@ -178,9 +178,9 @@ void readPresets(VidValues& v, FlightReading& f) {
   });
 }
 
-constexpr Member<Picture> kPictureMembers[] = {
-    {"width", [](VidValues& v, Picture& p) { v.integer(limits::kPictureSize, p.width); }},
-    {"height", [](VidValues& v, Picture& p) { v.integer(limits::kPictureSize, p.height); }}};
+constexpr Member<PictureFormat> kPictureMembers[] = {
+    {"width", [](VidValues& v, PictureFormat& p) { v.integer(limits::kPictureSize, p.width); }},
+    {"height", [](VidValues& v, PictureFormat& p) { v.integer(limits::kPictureSize, p.height); }}};
 
 void readFocalLengths(VidValues& v, Lens& lens) {
   double lengths[2] = {lens.focalLengthAtZoom1, lens.focalLengthAtZoom100};
@@ -252,7 +252,7 @@ constexpr Member<FlightReading> kFlightMembers[] = {
      [](VidValues& v, FlightReading& f) { v.number(limits::kFrameRate, f.flight.frameRate); }},
     {"picture",
      [](VidValues& v, FlightReading& f) {
-       v.object<Picture>(kPictureMembers, f.flight.picture, f.flight.extras.picture);
+       v.object<PictureFormat>(kPictureMembers, f.flight.picture, f.flight.extras.picture);
      }},
     {"lens",
      [](VidValues& v, FlightReading& f) {

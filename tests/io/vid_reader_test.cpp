@@ -104,7 +104,7 @@ TEST(VidReader, EveryMember) {
   })");
   EXPECT_EQ(flight.name, "Flug über Öl 🛩");
   EXPECT_EQ(flight.frameRate, 29.97);
-  EXPECT_EQ(flight.picture, (Picture{640, 480}));
+  EXPECT_EQ(flight.picture, (PictureFormat{640, 480}));
   EXPECT_EQ(flight.lens, (Lens{24.5, 10, 300}));
   EXPECT_EQ(flight.space, (Space{{1, -2, 3.5}, 250}));
   EXPECT_EQ(flight.rates, (Rates{10, 20, 30, 40}));
@@ -134,7 +134,7 @@ TEST(VidReader, NumbersInEveryNotation) {
   const Flight flight = flightOf(smallest(
       R"(,"picture":{"width":1920.0,"height":1.08e3},"frame_rate":2400e-2,"rates":{"move":1E+2})",
       {}, R"(,"roll":-0,"hold":-0.0e5,"zoom":12000000000000000000000e-21)"));
-  EXPECT_EQ(flight.picture, (Picture{1920, 1080}));
+  EXPECT_EQ(flight.picture, (PictureFormat{1920, 1080}));
   EXPECT_EQ(flight.frameRate, 24);
   EXPECT_EQ(flight.rates.move, 100);
   const Orientation& o = flight.keys[0].orientations[0];
