@@ -11,44 +11,46 @@
 namespace vides {
 namespace {
 
-Key offset(Key first, int steps) { return static_cast<Key>(static_cast<int>(first) + steps); }
+KeyboardKey offset(KeyboardKey first, int steps) {
+  return static_cast<Key>(static_cast<int>(first) + steps);
+}
 
 struct Row {
   int token;
-  Key key;
+  KeyboardKey key;
 };
 constexpr std::array kKeys = {
-    Row{GLFW_KEY_SPACE, Key::kSpace},
-    Row{GLFW_KEY_ESCAPE, Key::kEscape},
-    Row{GLFW_KEY_ENTER, Key::kEnter},
-    Row{GLFW_KEY_TAB, Key::kTab},
-    Row{GLFW_KEY_BACKSPACE, Key::kBackspace},
-    Row{GLFW_KEY_INSERT, Key::kInsert},
-    Row{GLFW_KEY_DELETE, Key::kDelete},
-    Row{GLFW_KEY_LEFT, Key::kLeft},
-    Row{GLFW_KEY_RIGHT, Key::kRight},
-    Row{GLFW_KEY_UP, Key::kUp},
-    Row{GLFW_KEY_DOWN, Key::kDown},
-    Row{GLFW_KEY_PAGE_UP, Key::kPageUp},
-    Row{GLFW_KEY_PAGE_DOWN, Key::kPageDown},
-    Row{GLFW_KEY_HOME, Key::kHome},
-    Row{GLFW_KEY_END, Key::kEnd},
-    Row{GLFW_KEY_MENU, Key::kMenu},
-    Row{GLFW_KEY_KP_DECIMAL, Key::kPadDecimal},
-    Row{GLFW_KEY_KP_DIVIDE, Key::kPadDivide},
-    Row{GLFW_KEY_KP_MULTIPLY, Key::kPadMultiply},
-    Row{GLFW_KEY_KP_SUBTRACT, Key::kPadSubtract},
-    Row{GLFW_KEY_KP_ADD, Key::kPadAdd},
-    Row{GLFW_KEY_KP_ENTER, Key::kPadEnter},
-    Row{GLFW_KEY_KP_EQUAL, Key::kEqual},
-    Row{GLFW_KEY_LEFT_SHIFT, Key::kLeftShift},
-    Row{GLFW_KEY_RIGHT_SHIFT, Key::kRightShift},
-    Row{GLFW_KEY_LEFT_CONTROL, Key::kLeftControl},
-    Row{GLFW_KEY_RIGHT_CONTROL, Key::kRightControl},
-    Row{GLFW_KEY_LEFT_ALT, Key::kLeftAlt},
-    Row{GLFW_KEY_RIGHT_ALT, Key::kRightAlt},
-    Row{GLFW_KEY_LEFT_SUPER, Key::kLeftSuper},
-    Row{GLFW_KEY_RIGHT_SUPER, Key::kRightSuper},
+    Row{GLFW_KEY_SPACE, KeyboardKey::kSpace},
+    Row{GLFW_KEY_ESCAPE, KeyboardKey::kEscape},
+    Row{GLFW_KEY_ENTER, KeyboardKey::kEnter},
+    Row{GLFW_KEY_TAB, KeyboardKey::kTab},
+    Row{GLFW_KEY_BACKSPACE, KeyboardKey::kBackspace},
+    Row{GLFW_KEY_INSERT, KeyboardKey::kInsert},
+    Row{GLFW_KEY_DELETE, KeyboardKey::kDelete},
+    Row{GLFW_KEY_LEFT, KeyboardKey::kLeft},
+    Row{GLFW_KEY_RIGHT, KeyboardKey::kRight},
+    Row{GLFW_KEY_UP, KeyboardKey::kUp},
+    Row{GLFW_KEY_DOWN, KeyboardKey::kDown},
+    Row{GLFW_KEY_PAGE_UP, KeyboardKey::kPageUp},
+    Row{GLFW_KEY_PAGE_DOWN, KeyboardKey::kPageDown},
+    Row{GLFW_KEY_HOME, KeyboardKey::kHome},
+    Row{GLFW_KEY_END, KeyboardKey::kEnd},
+    Row{GLFW_KEY_MENU, KeyboardKey::kMenu},
+    Row{GLFW_KEY_KP_DECIMAL, KeyboardKey::kPadDecimal},
+    Row{GLFW_KEY_KP_DIVIDE, KeyboardKey::kPadDivide},
+    Row{GLFW_KEY_KP_MULTIPLY, KeyboardKey::kPadMultiply},
+    Row{GLFW_KEY_KP_SUBTRACT, KeyboardKey::kPadSubtract},
+    Row{GLFW_KEY_KP_ADD, KeyboardKey::kPadAdd},
+    Row{GLFW_KEY_KP_ENTER, KeyboardKey::kPadEnter},
+    Row{GLFW_KEY_KP_EQUAL, KeyboardKey::kEqual},
+    Row{GLFW_KEY_LEFT_SHIFT, KeyboardKey::kLeftShift},
+    Row{GLFW_KEY_RIGHT_SHIFT, KeyboardKey::kRightShift},
+    Row{GLFW_KEY_LEFT_CONTROL, KeyboardKey::kLeftControl},
+    Row{GLFW_KEY_RIGHT_CONTROL, KeyboardKey::kRightControl},
+    Row{GLFW_KEY_LEFT_ALT, KeyboardKey::kLeftAlt},
+    Row{GLFW_KEY_RIGHT_ALT, KeyboardKey::kRightAlt},
+    Row{GLFW_KEY_LEFT_SUPER, KeyboardKey::kLeftSuper},
+    Row{GLFW_KEY_RIGHT_SUPER, KeyboardKey::kRightSuper},
 };
 
 bool beyondAscii(std::string_view text) {
@@ -58,24 +60,25 @@ bool beyondAscii(std::string_view text) {
 
 }  // namespace
 
-Key keyFromGlfw(int token, std::string_view printed) {
+KeyboardKey keyFromGlfw(int token, std::string_view printed) {
   for (const Row& row : kKeys) {
     if (row.token == token) return row.key;
   }
-  if (token >= GLFW_KEY_F1 && token <= GLFW_KEY_F12) return offset(Key::kF1, token - GLFW_KEY_F1);
+  if (token >= GLFW_KEY_F1 && token <= GLFW_KEY_F12)
+    return offset(KeyboardKey::kF1, token - GLFW_KEY_F1);
   if (token >= GLFW_KEY_KP_0 && token <= GLFW_KEY_KP_9) {
-    return offset(Key::kPad0, token - GLFW_KEY_KP_0);
+    return offset(KeyboardKey::kPad0, token - GLFW_KEY_KP_0);
   }
-  const Key byPrint = keyThatPrints(printed).value_or(Key::kUnknown);
+  const KeyboardKey byPrint = keyThatPrints(printed).value_or(KeyboardKey::kUnknown);
   if (token >= GLFW_KEY_0 && token <= GLFW_KEY_9) {
-    return digitOf(byPrint) ? byPrint : offset(Key::k0, token - GLFW_KEY_0);
+    return digitOf(byPrint) ? byPrint : offset(KeyboardKey::k0, token - GLFW_KEY_0);
   }
-  if (byPrint != Key::kUnknown) return byPrint;
+  if (byPrint != KeyboardKey::kUnknown) return byPrint;
   const bool letterPlace = token >= GLFW_KEY_A && token <= GLFW_KEY_Z;
   if (letterPlace && (printed.empty() || beyondAscii(printed))) {
-    return offset(Key::kA, token - GLFW_KEY_A);
+    return offset(KeyboardKey::kA, token - GLFW_KEY_A);
   }
-  return Key::kUnknown;
+  return KeyboardKey::kUnknown;
 }
 
 }  // namespace vides

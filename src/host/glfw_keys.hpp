@@ -12,6 +12,6 @@ namespace vides {
 // empty). Keys that print nothing, the number pad's and space go by token. The row of digits gives
 // digits even where they need Shift (French). Letters' places give the US letter where the layout
 // prints a letter beyond ASCII there (Cyrillic).
-Key keyFromGlfw(int token, std::string_view printed);
+KeyboardKey keyFromGlfw(int token, std::string_view printed);
 
 }  // namespace vides

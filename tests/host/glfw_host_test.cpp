@@ -144,17 +144,18 @@ TEST_F(GlfwHostTest, KeysWithModifiersAfterTheChange) {
   xdotool("mousemove 100 80 keydown ctrl keydown shift key z keyup shift keyup ctrl");
   const Modifiers control{.control = true};
   const Modifiers both{.shift = true, .control = true};
-  expect(KeyChanged{Key::kLeftControl, true, false, control});
-  expect(KeyChanged{Key::kLeftShift, true, false, both});
-  expect(KeyChanged{Key::kZ, true, false, both});
-  expect(KeyChanged{Key::kZ, false, false, both});
-  expect(KeyChanged{Key::kLeftShift, false, false, control});
-  expect(KeyChanged{Key::kLeftControl, false, false, {}});
+  expect(KeyChanged{KeyboardKey::kLeftControl, true, false, control});
+  expect(KeyChanged{KeyboardKey::kLeftShift, true, false, both});
+  expect(KeyChanged{KeyboardKey::kZ, true, false, both});
+  expect(KeyChanged{KeyboardKey::kZ, false, false, both});
+  expect(KeyChanged{KeyboardKey::kLeftShift, false, false, control});
+  expect(KeyChanged{KeyboardKey::kLeftControl, false, false, {}});
   // One of two Shift keys let go: Shift is still held.
   xdotool("keydown Shift_L keydown Shift_R keyup Shift_L");
-  expect(KeyChanged{Key::kLeftShift, false, false, {.shift = true}});
+  expect(KeyChanged{KeyboardKey::kLeftShift, false, false, {.shift = true}});
   xdotool("keyup Shift_R key Page_Up key F11 key KP_7 key Escape");
-  for (const Key key : {Key::kPageUp, Key::kF11, Key::kPad7, Key::kEscape}) {
+  for (const KeyboardKey key :
+       {KeyboardKey::kPageUp, KeyboardKey::kF11, KeyboardKey::kPad7, KeyboardKey::kEscape}) {
     expect(KeyChanged{key, true, false, {}}, std::string(keyName(key)));
   }
 }
@@ -162,10 +163,10 @@ TEST_F(GlfwHostTest, KeysWithModifiersAfterTheChange) {
 TEST_F(GlfwHostTest, HeldKeyRepeats) {
   open();
   xdotool("mousemove 100 80 keydown Right");
-  expect(KeyChanged{Key::kRight, true, false, {}});
-  expect(KeyChanged{Key::kRight, true, true, {}});
+  expect(KeyChanged{KeyboardKey::kRight, true, false, {}});
+  expect(KeyChanged{KeyboardKey::kRight, true, true, {}});
   xdotool("keyup Right");
-  expect(KeyChanged{Key::kRight, false, false, {}});
+  expect(KeyChanged{KeyboardKey::kRight, false, false, {}});
 }
 
 TEST_F(GlfwHostTest, Text) {
@@ -179,10 +180,10 @@ TEST_F(GlfwHostTest, GermanKeysGoByWhatTheyPrint) {
   ASSERT_EQ(runProcess({"setxkbmap", "de"}).status, 0);
   open();
   xdotool("mousemove 100 80 key 29");
-  expect(KeyChanged{Key::kZ, true, false, {}}, "z");
+  expect(KeyChanged{KeyboardKey::kZ, true, false, {}}, "z");
   expect(TextTyped{"z"});
   xdotool("key 52");
-  expect(KeyChanged{Key::kY, true, false, {}}, "y");
+  expect(KeyChanged{KeyboardKey::kY, true, false, {}}, "y");
   xdotool("key 47");  // ö, beyond ASCII, on no letter's place
   expect(TextTyped{"ö"});
 }
@@ -191,15 +192,15 @@ TEST_F(GlfwHostTest, FrenchDigitsAndRussianLettersGoByPlace) {
   ASSERT_EQ(runProcess({"setxkbmap", "fr"}).status, 0);
   open();
   xdotool("mousemove 100 80 key 16");
-  expect(KeyChanged{Key::k7, true, false, {}}, "7 without Shift");
+  expect(KeyChanged{KeyboardKey::k7, true, false, {}}, "7 without Shift");
   xdotool("key 24");
-  expect(KeyChanged{Key::kA, true, false, {}}, "a");
+  expect(KeyChanged{KeyboardKey::kA, true, false, {}}, "a");
   host_.reset();
   events_.clear();
   ASSERT_EQ(runProcess({"setxkbmap", "ru"}).status, 0);
   open();
   xdotool("mousemove 110 80 key 52");
-  expect(KeyChanged{Key::kZ, true, false, {}}, "я");
+  expect(KeyChanged{KeyboardKey::kZ, true, false, {}}, "я");
   expect(TextTyped{"я"});
 }
 
