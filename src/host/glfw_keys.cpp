@@ -12,7 +12,7 @@ namespace vides {
 namespace {
 
 KeyboardKey offset(KeyboardKey first, int steps) {
-  return static_cast<Key>(static_cast<int>(first) + steps);
+  return static_cast<KeyboardKey>(static_cast<int>(first) + steps);
 }
 
 struct Row {
