@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/Splines>
 #include <vector>
 
+#include "bars.hpp"
 #include "math/arc_length.hpp"
 #include "math/kochanek_bartels.hpp"
 #include "math/quaternion.hpp"
@@ -56,17 +57,6 @@ std::vector<double> shares() {
   return values;
 }
 
-void cubicPoint(benchmark::State& state) {
-  const auto segments = usualSegments();
-  const auto u = shares();
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(segments[i].point(u[i]));
-    i = (i + 1) % kCount;
-  }
-}
-BENCHMARK(cubicPoint);
-
 // The peer: a cubic B-spline of Eigen's through the same number of points.
 void cubicPointEigenSplines(benchmark::State& state) {
   using Spline = Eigen::Spline<double, 3, 3>;
@@ -86,6 +76,18 @@ void cubicPointEigenSplines(benchmark::State& state) {
 }
 BENCHMARK(cubicPointEigenSplines);
 
+void cubicPoint(benchmark::State& state) {
+  const auto segments = usualSegments();
+  const auto u = shares();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(segments[i].point(u[i]));
+    i = (i + 1) % kCount;
+  }
+  bench::setPeer(state, "cubicPointEigenSplines");
+}
+BENCHMARK(cubicPoint);
+
 void buildArcLength(benchmark::State& state) {
   const auto segments = usualSegments();
   std::size_t i = 0;
@@ -93,10 +95,10 @@ void buildArcLength(benchmark::State& state) {
     benchmark::DoNotOptimize(ArcLength(segments[i]));
     i = (i + 1) % kCount;
   }
+  bench::setLimit(state, 4000.0);
 }
 BENCHMARK(buildArcLength);
 
-// limit: 100 ns (7-quality)
 void inverseArcLength(benchmark::State& state) {
   const auto segments = usualSegments();
   const auto share = shares();
@@ -107,6 +109,7 @@ void inverseArcLength(benchmark::State& state) {
     benchmark::DoNotOptimize(lengths[i].parameterAt(segments[i], share[i] * lengths[i].length()));
     i = (i + 1) % kCount;
   }
+  bench::setLimit(state, 100.0);
 }
 BENCHMARK(inverseArcLength);
 
@@ -153,6 +156,7 @@ void orientationCurve(benchmark::State& state) {
     benchmark::DoNotOptimize(curves[i].at(t[i]));
     i = (i + 1) % kCount;
   }
+  bench::setLimit(state, 250.0);
 }
 BENCHMARK(orientationCurve<SphericalBezier>);
 BENCHMARK(orientationCurve<SchlagCurve>);
