@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Looks whether a program was linked with what cmake/VidesOptions.cmake asks for in release.
+"""Looks whether a program and its library were built with what cmake/VidesOptions.cmake asks for in release.
 
-usage: hardened.py PROGRAM
+usage: hardened.py PROGRAM ARCHIVE
 
 Prints a line for each thing that is missing and ends with status 1 if there is one.
 """
@@ -16,10 +16,10 @@ def readelf(program, *options):
                           capture_output=True, text=True, env={"PATH": "/usr/bin", "LC_ALL": "C"}).stdout
 
 
-def missing(program):
-    """What the program lacks, in words."""
+def missing(program, archive):
+    """What the program and the archive lack, in words."""
     header, segments = readelf(program, "--file-header"), readelf(program, "--program-headers")
-    dynamic, symbols = readelf(program, "--dynamic"), readelf(program, "--dyn-syms")
+    dynamic = readelf(program, "--dynamic")
     if not re.search(r"Type:\s+DYN", header) or not re.search(r"FLAGS_1.*\bPIE\b", dynamic):
         yield "is not position-independent"
     if "GNU_RELRO" not in segments:
@@ -31,14 +31,14 @@ def missing(program):
     for line in segments.splitlines():
         if re.search(r"^\s+LOAD\s.*\bRWE\b", line):
             yield "has a segment that is writable and executable"
-    if "__stack_chk_fail" not in symbols:
-        yield "has no stack protector"
     if re.search(r"\((RPATH|RUNPATH)\)", dynamic):
         yield "looks for libraries in folders of its own"
+    if "__stack_chk_fail" not in readelf(archive, "--symbols"):
+        yield f"is made of {archive}, which has no stack protector"
 
 
 if __name__ == "__main__":
-    found = list(missing(sys.argv[1]))
+    found = list(missing(*sys.argv[1:]))
     for what in found:
         print(f"{sys.argv[1]}: {what}", file=sys.stderr)
     sys.exit(1 if found else 0)
