@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+// OBJ files: what they hold, each fault with its line, other readers' verdict, and damaged files.
+#include "scene/obj_reader.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <tiny_obj_loader.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+namespace vides {
+namespace {
+
+namespace fs = std::filesystem;
+using Edge = std::array<std::uint32_t, 2>;
+using Triangle = std::array<std::uint32_t, 3>;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+constexpr std::string_view kPyramid = R"(# a pyramid
+mtllib ../../../etc/passwd
+o pyramid
+v -0.5 0 0.5
+v 0.5 0 0.5
+v 0.5 0 -0.5
+v -0.5 0 -0.5
+v 0 0.5 0
+vn 0 -1 0
+usemtl stone
+f 4//1 3//1 2//1 1//1
+f 1 2 5
+f 2 3 5
+f 3 4 -1
+f -2 1 5
+)";
+
+class ObjFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("obj_files_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path write(const std::string& name, std::string_view text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+  fs::path folder_;
+};
+
+SceneProblem problemOf(std::string_view text) {
+  const auto scene = readObj(text);
+  EXPECT_FALSE(scene) << text;
+  return scene ? SceneProblem{} : scene.error();
+}
+
+TEST(Obj, Pyramid) {
+  const auto scene = readObj(kPyramid);
+  ASSERT_TRUE(scene) << problemLine("pyramid.obj", scene.error());
+  EXPECT_EQ(scene->positions.size(), 5u);
+  EXPECT_THAT(scene->edges, ElementsAre(Edge{0, 1}, Edge{0, 3}, Edge{0, 4}, Edge{1, 2}, Edge{1, 4},
+                                        Edge{2, 3}, Edge{2, 4}, Edge{3, 4}));
+  EXPECT_THAT(scene->triangles,
+              ElementsAre(Triangle{3, 2, 1}, Triangle{3, 1, 0}, Triangle{0, 1, 4},
+                          Triangle{1, 2, 4}, Triangle{2, 3, 4}, Triangle{3, 0, 4}));
+  EXPECT_TRUE(scene->points.empty());
+  EXPECT_EQ(scene->box, (BoundingBox{{-0.5, 0, -0.5}, {0.5, 0.5, 0.5}}));
+}
+
+TEST(Obj, LinesAndPoints) {
+  const auto scene =
+      readObj("v 0 0 0\nv 1 0 0 0.5\nv 1 1 0 1 0 0\nl 1/1 2/2 3\nl -1 -3\np 1 3\np 2");
+  ASSERT_TRUE(scene);
+  EXPECT_THAT(scene->edges, ElementsAre(Edge{0, 1}, Edge{0, 2}, Edge{1, 2}));
+  EXPECT_THAT(scene->points, ElementsAre(0u, 2u, 1u));
+}
+
+TEST(Obj, WrittenInMoreThanOneWay) {
+  // Windows' line ends, a continued line, a comment behind, a byte order mark, signs and exponents.
+  const auto scene = readObj(
+      "\xef\xbb\xbfv +1 -2.5e-1 1E2\r\nv 0 0\\\r\n 7 # seven\r\n# not \\\nv this\n"
+      "\tl\t1 \\\n2\nv .5 5. -0\n");
+  ASSERT_TRUE(scene) << problemLine("x", scene.error());
+  EXPECT_THAT(scene->positions, ElementsAre(Vec3(1, -0.25, 100), Vec3(0, 0, 7), Vec3(0.5, 5, 0)));
+  EXPECT_THAT(scene->edges, ElementsAre(Edge{0, 1}));
+  EXPECT_EQ(readObj("v 1e-400 0 0")->positions.front(), Vec3(0));
+}
+
+TEST(Obj, FacesOfAnySize) {
+  std::string text;
+  for (int i = 0; i < 1000; ++i) text += "v " + std::to_string(i) + " 0 0\n";
+  text += "f";
+  for (int i = 1; i <= 1000; ++i) text += " " + std::to_string(i);
+  const auto scene = readObj(text);
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->edges.size(), 1000u);
+  EXPECT_EQ(scene->triangles.size(), 998u);
+}
+
+TEST(Obj, FaultsAreToldWithTheirLine) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const auto is = [](SceneFault fault, std::int64_t line, const char* found) {
+    return SceneProblem{fault, line, found};
+  };
+  EXPECT_EQ(problemOf("v 1 2\nv 0 0 0"), is(SceneFault::kNumber, 1, ""));
+  EXPECT_EQ(problemOf("#\n\nv 1 2 x"), is(SceneFault::kNumber, 3, "x"));
+  EXPECT_EQ(problemOf("v 1 2,5 3"), is(SceneFault::kNumber, 1, "2,5"));
+  EXPECT_EQ(problemOf("v nan 0 0"), is(SceneFault::kNumber, 1, "nan"));
+  EXPECT_EQ(problemOf("v 0 -inf 0"), is(SceneFault::kNumber, 1, "-inf"));
+  EXPECT_EQ(problemOf("v 0 0 1e999"), is(SceneFault::kNumber, 1, "1e999"));
+  EXPECT_EQ(problemOf(three + "f 1 2 0"), is(SceneFault::kIndex, 4, "0"));
+  EXPECT_EQ(problemOf(three + "f 1 2 three"), is(SceneFault::kIndex, 4, "three"));
+  EXPECT_EQ(problemOf(three + "f 1 2 /3"), is(SceneFault::kIndex, 4, "/3"));
+  EXPECT_EQ(problemOf(three + "f 1 2 4"), is(SceneFault::kNoSuchVertex, 4, "4"));
+  EXPECT_EQ(problemOf(three + "f 1 2 -4/1/1"), is(SceneFault::kNoSuchVertex, 4, "-4/1/1"));
+  EXPECT_EQ(problemOf(three + "f 1 2 99999999999999999999"),
+            is(SceneFault::kNoSuchVertex, 4, "99999999999999999999"));
+  EXPECT_EQ(problemOf(three + "\\\n\n# c \\\n\nf 1 2"), is(SceneFault::kTooFew, 8, "2"));
+  EXPECT_EQ(problemOf(three + "l 2"), is(SceneFault::kTooFew, 4, "1"));
+  EXPECT_EQ(problemOf(three + "p"), is(SceneFault::kTooFew, 4, "0"));
+  EXPECT_EQ(problemOf(""), is(SceneFault::kNothing, 0, ""));
+  EXPECT_EQ(problemOf("{\"format\": \"vides\"}"), is(SceneFault::kNothing, 0, ""));
+  EXPECT_EQ(problemOf("v 0 0 \x1b[31m" + std::string(100, 'a')).found,
+            "?[31m" + std::string(27, 'a') + "...");
+  EXPECT_EQ(problemLine("a.obj", problemOf(three + "f 1 2 4")),
+            "a.obj:4: there is no vertex \"4\" before this line");
+}
+
+TEST_F(ObjFiles, AreReadByTheirName) {
+  EXPECT_TRUE(readSceneFile(write("pyramid.obj", kPyramid)));
+  EXPECT_TRUE(readSceneFile(write("PYRAMID.OBJ", kPyramid)));
+  EXPECT_EQ(readSceneFile(write("pyramid.ply", kPyramid)).error(),
+            (SceneProblem{SceneFault::kUnknownFormat, 0, ".ply"}));
+}
+
+TEST_F(ObjFiles, ThatCannotBeReadSayWhy) {
+  EXPECT_THAT(problemLine("x.obj", readSceneFile(folder_ / "missing.obj").error()),
+              HasSubstr("No such file"));
+  fs::create_directory(folder_ / "folder.obj");
+  EXPECT_EQ(readSceneFile(folder_ / "folder.obj").error().fault, SceneFault::kNotAFile);
+  ASSERT_EQ(mkfifo((folder_ / "pipe.obj").c_str(), 0600), 0);
+  EXPECT_EQ(readSceneFile(folder_ / "pipe.obj").error().fault, SceneFault::kNotAFile);
+  write("huge.obj", "");
+  fs::resize_file(folder_ / "huge.obj", kMostSceneBytes + 1);  // sparse: takes no room
+  EXPECT_EQ(readSceneFile(folder_ / "huge.obj").error().fault, SceneFault::kTooLarge);
+}
+
+TEST(Obj, IsFoundFromTheFlightsFolder) {
+  EXPECT_EQ(sceneFilePath("/home/a/flights", "pyramid.obj"), "/home/a/flights/pyramid.obj");
+  EXPECT_EQ(sceneFilePath("/home/a/flights", "../scenes/b\xc3\xa4r.obj"),
+            "/home/a/scenes/b\xc3\xa4r.obj");
+  EXPECT_EQ(sceneFilePath("/home/a/flights", "/srv/c.obj"), "/srv/c.obj");
+  EXPECT_EQ(sceneFilePath("", "c.obj"), "c.obj");
+}
+
+// A random file that both readers understand.
+std::string randomObj(std::mt19937& random) {
+  std::ostringstream text;
+  int count = 0;
+  const auto index = [&] {
+    const int i = static_cast<int>(random() % static_cast<unsigned>(count)) + 1;
+    return random() % 3 == 0 ? i - count - 1 : i;
+  };
+  for (int line = 0; line < 60; ++line) {
+    const auto kind = count < 3 ? 0 : random() % 6;
+    if (kind <= 2) {
+      std::uniform_real_distribution<double> coordinate(-10, 10);
+      text << "v " << coordinate(random) << ' ' << coordinate(random) << ' ' << coordinate(random);
+      ++count;
+    } else {
+      text << (kind == 3 ? 'f' : kind == 4 ? 'l' : 'p');
+      const auto n = kind == 3 ? 3 + random() % 4 : kind == 4 ? 2 + random() % 3 : 1;
+      for (unsigned i = 0; i < n; ++i) text << ' ' << index();
+    }
+    text << '\n';
+  }
+  return text.str();
+}
+
+TEST(Obj, ReadsWhatTinyObjLoaderReads) {
+  std::mt19937 random(20);
+  for (int round = 0; round < 100; ++round) {
+    const std::string text = randomObj(random);
+    tinyobj::attrib_t attributes;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+    std::string warning, error;
+    std::istringstream stream(text);
+    ASSERT_TRUE(tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream,
+                                 nullptr, false))
+        << error;
+    SceneGeometry expected;
+    const auto at = [](const tinyobj::index_t& i) {
+      return static_cast<std::uint32_t>(i.vertex_index);
+    };
+    for (std::size_t i = 0; i + 2 < attributes.vertices.size(); i += 3) {
+      expected.positions.emplace_back(attributes.vertices[i], attributes.vertices[i + 1],
+                                      attributes.vertices[i + 2]);
+    }
+    for (const auto& shape : shapes) {
+      std::size_t next = 0;
+      for (const std::size_t corners : shape.mesh.num_face_vertices) {
+        for (std::size_t i = 0; i < corners; ++i) {
+          expected.edges.push_back(
+              {at(shape.mesh.indices[next + i]), at(shape.mesh.indices[next + (i + 1) % corners])});
+        }
+        next += corners;
+      }
+      next = 0;
+      for (const int places : shape.lines.num_line_vertices) {
+        for (int i = 1; i < places; ++i) {
+          expected.edges.push_back({at(shape.lines.indices[next + static_cast<std::size_t>(i) - 1]),
+                                    at(shape.lines.indices[next + static_cast<std::size_t>(i)])});
+        }
+        next += static_cast<std::size_t>(places);
+      }
+      for (const auto& point : shape.points.indices) expected.points.push_back(at(point));
+    }
+    finishScene(expected);
+
+    const auto scene = readObj(text);
+    ASSERT_TRUE(scene) << problemLine("random", scene.error()) << "\n" << text;
+    ASSERT_EQ(scene->positions.size(), expected.positions.size());
+    for (std::size_t i = 0; i < expected.positions.size(); ++i) {
+      EXPECT_LT(glm::distance(scene->positions[i], expected.positions[i]), 1e-9);
+    }
+    EXPECT_EQ(scene->edges, expected.edges);
+    EXPECT_EQ(scene->points, expected.points);
+  }
+}
+
+void expectSound(const SceneGeometry& scene) {
+  const auto count = scene.positions.size();
+  for (const auto& p : scene.positions) {
+    EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+  }
+  for (const auto& edge : scene.edges) {
+    EXPECT_LT(edge[0], edge[1]);
+    EXPECT_LT(edge[1], count);
+  }
+  for (const auto& t : scene.triangles) EXPECT_LT(std::max({t[0], t[1], t[2]}), count);
+  for (const auto point : scene.points) EXPECT_LT(point, count);
+}
+
+TEST(Obj, DamagedFilesAreReadOrRefusedButNeverHalf) {
+  std::mt19937 random(7);
+  int read = 0, refused = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::string text = round % 2 == 0 ? std::string(kPyramid) : randomObj(random);
+    for (auto hits = 1 + random() % 4; hits > 0 && !text.empty(); --hits) {
+      const std::size_t at = random() % text.size();
+      switch (random() % 5) {
+        case 0:
+          text[at] = static_cast<char>(random());
+          break;
+        case 1:
+          text.erase(at, 1 + random() % 20);
+          break;
+        case 2:
+          text.insert(at, "99999999999");
+          break;
+        case 3:
+          text.resize(at + 1);
+          break;
+        default:
+          text.insert(at, text.substr(at / 2, random() % 40));
+      }
+    }
+    const auto scene = readObj(text);
+    if (scene) {
+      expectSound(*scene);
+      ++read;
+    } else {
+      const auto lines = std::count(text.begin(), text.end(), '\n') + 1;
+      EXPECT_LE(scene.error().line, lines);
+      EXPECT_NE(problemLine("x", scene.error()), "");
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, 100);
+  EXPECT_GT(refused, 100);
+}
+
+TEST(SceneGeometry, Appends) {
+  SceneGeometry scene = *readObj(kPyramid);
+  appendScene(scene, *readObj("v 9 0 0\nv 9 1 0\nl 1 2\np 2"));
+  finishScene(scene);
+  EXPECT_EQ(scene.edges.back(), (Edge{5, 6}));
+  EXPECT_THAT(scene.points, ElementsAre(6u));
+  EXPECT_EQ(scene.box->high, Vec3(9, 1, 0.5));
+}
+
+}  // namespace
+}  // namespace vides
