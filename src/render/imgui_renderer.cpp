@@ -103,6 +103,7 @@ tl::expected<ImguiRenderer, std::string> ImguiRenderer::create(const Gl& gl) {
   renderer.program_ = std::move(*program);
   renderer.projection_ = renderer.program_.uniform("projection");
   renderer.texture_ = renderer.program_.uniform("picture");
+  renderer.clip_ = renderer.program_.uniform("clip");
   renderer.vertexArray_ = VertexArray(gl);
   renderer.vertices_ = Buffer(gl, GL_ARRAY_BUFFER);
   renderer.indices_ = Buffer(gl, GL_ELEMENT_ARRAY_BUFFER);
@@ -170,6 +171,9 @@ void ImguiRenderer::drawList(const ImDrawList& list, const ImDrawData& data, con
     const Scissor scissor = scissorOf(command.ClipRect, data, target.width, target.height);
     if (scissor.width == 0 || scissor.height == 0) continue;
     gl.Scissor(scissor.x, scissor.y, scissor.width, scissor.height);
+    gl.Uniform4f(clip_, static_cast<float>(scissor.x), static_cast<float>(scissor.y),
+                 static_cast<float>(scissor.x + scissor.width),
+                 static_cast<float>(scissor.y + scissor.height));
     gl.BindTexture(GL_TEXTURE_2D,
                    static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
     gl.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,

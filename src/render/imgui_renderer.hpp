@@ -55,6 +55,7 @@ class ImguiRenderer {
   ShaderProgram program_;
   GLint projection_ = -1;
   GLint texture_ = -1;
+  GLint clip_ = -1;
   VertexArray vertexArray_;
   Buffer vertices_;
   Buffer indices_;

@@ -21,7 +21,8 @@ MAY_INCLUDE = {
     # What the user does, as values: tools and the editor read it, hosts and scripts fill it.
     "input": set(),
     "edit": {"math", "flight", "evaluate", "scene", "input"},
-    "render": {"math", "flight", "evaluate", "scene"},
+    # Pictures are files, too: whole or not at all like all others.
+    "render": {"math", "flight", "evaluate", "io", "scene"},
     "panels": {"math", "flight", "evaluate", "scene", "edit", "input"},
     # A window or an offscreen context: who draws what into it is the app's matter.
     "host": {"math", "flight", "evaluate", "scene", "input", "render"},
