@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <optional>
 #include <sstream>
 #include <thread>
@@ -260,6 +263,17 @@ TEST_F(GlfwHostTest, TitleAndClipboard) {
   EXPECT_EQ(runProcess({"xdotool", "getwindowname", id}).output, "Pyramide ●\n");
   host_->setClipboard("Schlüssel « »");
   EXPECT_EQ(host_->clipboard(), "Schlüssel « »");
+}
+
+TEST_F(GlfwHostTest, Cursors) {
+  open();
+  for (const CursorShape shape :
+       {CursorShape::kText, CursorShape::kCross, CursorShape::kHand, CursorShape::kHorizontal,
+        CursorShape::kVertical, CursorShape::kHidden, CursorShape::kArrow, CursorShape::kText}) {
+    host_->setCursor(shape);
+    const char* reason = "";
+    EXPECT_EQ(glfwGetError(&reason), GLFW_NO_ERROR) << reason;
+  }
 }
 
 TEST_F(GlfwHostTest, WaitsEndByWake) {

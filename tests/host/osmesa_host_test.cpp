@@ -166,6 +166,16 @@ TEST(OsmesaHost, TooLargeIsASentence) {
   EXPECT_TRUE(host->takeEvents().empty());
 }
 
+// A program that links to an OpenGL of its own would fight with the one that a host loads.
+TEST(OsmesaHost, ProgramsLinkToNoOpenGl) {
+  const auto result = runProcess({"readelf", "--dynamic", "--wide", VIDES_HOST_PROBE});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  ASSERT_THAT(result.output, HasSubstr("[libc.so"));
+  for (const char* library : {"libGL.", "libGLX", "libOpenGL", "libOSMesa", "libEGL", "libepoxy"}) {
+    EXPECT_THAT(result.output, testing::Not(HasSubstr(library)));
+  }
+}
+
 TEST(OsmesaHost, MissingLibraryIsASentence) {
   OsmesaOptions options;
   options.library = "libOSMesa.so.nowhere";
