@@ -18,6 +18,8 @@ namespace vides {
 static_assert(sizeof(ImDrawIdx) == 2 || sizeof(ImDrawIdx) == 4);
 constexpr GLenum kIndexType = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
 
+constexpr GLenum kClipPlanes = 4;  // in the vertex shader
+
 struct ImguiRenderer::Target {
   int width;   // pixels
   int height;  // pixels
@@ -145,6 +147,7 @@ void ImguiRenderer::setUp(const Target& target) {
   gl.Disable(GL_STENCIL_TEST);
   gl.Disable(GL_PRIMITIVE_RESTART);
   gl.Enable(GL_SCISSOR_TEST);
+  for (GLenum i = 0; i < kClipPlanes; ++i) gl.Enable(GL_CLIP_DISTANCE0 + i);
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   program_.use();
   gl.UniformMatrix4fv(projection_, 1, GL_FALSE, target.projection.data());
@@ -171,9 +174,12 @@ void ImguiRenderer::drawList(const ImDrawList& list, const ImDrawData& data, con
     const Scissor scissor = scissorOf(command.ClipRect, data, target.width, target.height);
     if (scissor.width == 0 || scissor.height == 0) continue;
     gl.Scissor(scissor.x, scissor.y, scissor.width, scissor.height);
-    gl.Uniform4f(clip_, static_cast<float>(scissor.x), static_cast<float>(scissor.y),
-                 static_cast<float>(scissor.x + scissor.width),
-                 static_cast<float>(scissor.y + scissor.height));
+    const auto clipSpace = [](int pixels, int limit) {
+      return 2.0f * static_cast<float>(pixels) / static_cast<float>(limit) - 1.0f;
+    };
+    gl.Uniform4f(clip_, clipSpace(scissor.x, target.width), clipSpace(scissor.y, target.height),
+                 clipSpace(scissor.x + scissor.width, target.width),
+                 clipSpace(scissor.y + scissor.height, target.height));
     gl.BindTexture(GL_TEXTURE_2D,
                    static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
     gl.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,
@@ -189,6 +195,7 @@ void ImguiRenderer::draw(const ImDrawData& data) {
   if (target.width < 1 || target.height < 1) return;
   setUp(target);
   for (int i = 0; i < data.CmdListsCount; ++i) drawList(*data.CmdLists[i], data, target);
+  for (GLenum i = 0; i < kClipPlanes; ++i) gl_->Disable(GL_CLIP_DISTANCE0 + i);
   gl_->Disable(GL_SCISSOR_TEST);
   gl_->Disable(GL_BLEND);
   gl_->BindVertexArray(0);

@@ -40,8 +40,9 @@ class ImguiRenderer {
 
   // Draws into the framebuffer that is bound; its viewport must be the whole of it, of
   // DisplaySize · FramebufferScale pixels. Sets the state it needs and leaves blending, scissor,
-  // depth and stencil tests and face culling off, no program and no vertex array bound.
-  // User callbacks in the lists are called; ImDrawCallback_ResetRenderState restores the state.
+  // depth and stencil tests, clip planes and face culling off, no program and no vertex array
+  // bound. User callbacks in the lists are called; ImDrawCallback_ResetRenderState restores the
+  // state.
   void draw(const ImDrawData& data);
 
  private:

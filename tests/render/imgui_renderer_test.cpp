@@ -251,7 +251,8 @@ TEST(ImguiRenderer, NeedsNoStateAndLeavesNone) {
     ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, {10, 20}, kRed);
   });
   expectRed(picture, 0, 0, 10, 20);
-  for (const GLenum state : {GL_BLEND, GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST}) {
+  for (const GLenum state :
+       {GL_BLEND, GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CLIP_DISTANCE0}) {
     EXPECT_EQ(gl.IsEnabled(state), GL_FALSE) << state;
   }
 }
