@@ -105,10 +105,60 @@ constexpr Words kEnglishWords = {
                "an escape for a control character", "UTF-8"},
 };
 
+constexpr Words kGermanWords = {
+    .expectedFound = "erwartet: {0}; gefunden: {1}",
+    .missing = "fehlt; erwartet: {0}",
+    .unknownMember = "unbekannter Eintrag; frei sind nur Namen, die mit x_ beginnen",
+    .notBeside = "kann nicht neben „{0}“ stehen",
+    .duplicate = "steht zweimal im selben Objekt",
+    .tooDeep = "tiefer verschachtelt als {0}",
+    .tooLarge = "die Datei hat mehr als {0} Bytes",
+    .newerVersion =
+        "von einem neueren vides geschrieben (Format {0}; dieses liest Formate bis {1})",
+    .tooManyFrames = "erwartet: höchstens {0} Zwischenpositionen; gefunden: {1}",
+    .unreadable = "nicht lesbar: {0}",
+    .unwritable = "nicht zu schreiben: {0}",
+    .object = "ein Objekt",
+    .array = "eine Liste",
+    .string = "ein Text von höchstens {0} Zeichen",
+    .path = "der Pfad einer Datei",
+    .boolean = "true oder false",
+    .integer = "eine ganze Zahl{0}",
+    .number = "eine Zahl{0}",
+    .numbers = "{0} Zahlen{1}",
+    .elements = "eine Liste von {0} bis {1} Elementen",
+    .exactElements = "eine Liste von genau {0} Elementen",
+    .point = "ein Punkt, höchstens {0} vom Ursprung entfernt",
+    .away = "ein Blickpunkt, mindestens {0} vom Stützpunkt entfernt",
+    .oneOf = "eines von {0}",
+    .shape = "„preset“ oder „tension“, „continuity“ und „bias“",
+    .fromTo = " von {0} bis {1}",
+    .only = ", und zwar {0}",
+    .greater = " größer als {0}",
+    .greaterUpTo = " größer als {0}, höchstens {1}",
+    .finite = "",
+    .anObject = "ein Objekt",
+    .anArray = "eine Liste",
+    .endOfFile = "das Ende der Datei",
+    .byte = "das Byte {0}",
+    .syntax = {"JSON", "ein Wert", "der Name eines Eintrags in Anführungszeichen",
+               "der Name eines Eintrags in Anführungszeichen oder '}'",
+               "':' nach dem Namen des Eintrags", "',' oder '}'", "',' oder ']'",
+               "das Ende der Datei", "eine Ziffer",
+               "das schließende Anführungszeichen eines Textes",
+               "eines von \" \\ / b f n r t u nach dem umgekehrten Schrägstrich",
+               "vier hexadezimale Ziffern nach \\u",
+               "ein unteres Surrogat (\\uDC00 bis \\uDFFF) nach dem oberen",
+               "ein oberes Surrogat (\\uD800 bis \\uDBFF) vor dem unteren",
+               "eine Ersatzdarstellung für ein Steuerzeichen", "UTF-8"},
+};
+
 const Words& wordsOf(Language language) {
   switch (language) {
     case Language::kEnglish:
       return kEnglishWords;
+    case Language::kGerman:
+      return kGermanWords;
   }
   return kEnglishWords;
 }

@@ -10,7 +10,7 @@
 namespace vides {
 
 // Another language is one more table in problem_text.cpp.
-enum class Language { kEnglish };
+enum class Language { kEnglish, kGerman };
 
 // "expected a number from 1 to 100, found 250": without file and place, without a full stop.
 // Control characters are shown as escapes.

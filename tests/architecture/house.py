@@ -20,10 +20,10 @@ MAY_INCLUDE = {
     "scene": {"math", "flight", "evaluate"},
     # What the user does, as values: tools and the editor read it, hosts and scripts fill it.
     "input": set(),
-    "edit": {"math", "flight", "evaluate", "scene", "input"},
+    "edit": {"math", "flight", "evaluate", "io", "scene", "input"},
     # Pictures are files, too: whole or not at all like all others.
     "render": {"math", "flight", "evaluate", "io", "scene"},
-    "panels": {"math", "flight", "evaluate", "scene", "edit", "input"},
+    "panels": {"math", "flight", "evaluate", "io", "scene", "edit", "input"},
     # A window or an offscreen context: who draws what into it is the app's matter.
     "host": {"math", "flight", "evaluate", "scene", "input", "render"},
     "app": {

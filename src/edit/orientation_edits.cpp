@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Edits of orientations and their sections.
+#include "edit/orientation_edits.hpp"
+
+#include <algorithm>
+
+#include "edit/ease.hpp"
+#include "flight/limits.hpp"
+
+namespace vides {
+namespace {
+
+// The current orientation with something changed.
+template <class Change>
+Edit changed(const EditState& state, const char* step, Change change) {
+  Key key = state.key();
+  change(key.orientations[state.current().orientation]);
+  return Edit{withKey(state.flight, state.current().key, std::move(key)),
+              Text(step, {state.current().key + 1}), state.marks};
+}
+
+tl::unexpected<Text> noSection() { return tl::unexpected(Text("refusal.no-section")); }
+
+}  // namespace
+
+bool ownsSection(const EditState& state) {
+  return state.evaluation.next(state.current()) != state.current();
+}
+
+EditResult insertOrientationEdit(const EditState& state, const Arguments&) {
+  Key key = state.key();
+  if (key.orientations.size() >= kMostOrientations) {
+    return tl::unexpected(Text("refusal.ten-orientations"));
+  }
+  const std::size_t at = state.current().orientation + 1;
+  Orientation copy = state.orientation();
+  key.orientations.insert(key.orientations.begin() + static_cast<std::ptrdiff_t>(at),
+                          std::move(copy));
+  Edit edit{withKey(state.flight, state.current().key, std::move(key)),
+            Text("step.insert-orientation", {state.current().key + 1}), state.marks};
+  edit.marks.current.orientation = at;
+  return edit;
+}
+
+EditResult deleteOrientationEdit(const EditState& state, const Arguments&) {
+  Key key = state.key();
+  if (key.orientations.size() <= 1) return tl::unexpected(Text("refusal.one-orientation"));
+  const std::size_t at = state.current().orientation;
+  key.orientations.erase(key.orientations.begin() + static_cast<std::ptrdiff_t>(at));
+  Edit edit{withKey(state.flight, state.current().key, std::move(key)),
+            Text("step.delete-orientation", {state.current().key + 1}), state.marks};
+  edit.marks.current.orientation = at == 0 ? 0 : at - 1;
+  return edit;
+}
+
+EditResult setAimEdit(const EditState& state, const Arguments& arguments) {
+  return changed(state, "step.set-aim",
+                 [&](Orientation& o) { setAimPoint(state.key(), o, arguments.point(0)); });
+}
+
+OrientationPlace orientationLikeCurrent(const EditState& state, std::size_t key) {
+  const std::size_t last = state.flight.keys[key].orientations.size() - 1;
+  return {key, std::min(state.current().orientation, last)};
+}
+
+Flight withMovedAims(const EditState& state, const KeySelection& keys, const Vec3& offset) {
+  Flight result = state.flight;
+  for (const std::size_t k : keys.keys()) {
+    Key key = state.flight.keys[k];
+    key.orientations[orientationLikeCurrent(state, k).orientation].aim += offset;
+    result.keys.set(k, std::move(key));
+  }
+  return result;
+}
+
+EditResult moveAimsEdit(const EditState& state, const Arguments& arguments) {
+  const KeySelection& selected = state.marks.selected;
+  return Edit{withMovedAims(state, selected, arguments.point(0)),
+              selected.size() == 1 ? Text("step.set-aim", {selected.keys().front() + 1})
+                                   : Text("step.move-aims", {selected.size()}),
+              state.marks};
+}
+
+EditResult setAimModeEdit(const EditState& state, const Arguments& arguments) {
+  const AimMode mode = arguments.text(0) == "absolute" ? AimMode::kAbsolute : AimMode::kRelative;
+  return changed(state, "step.set-aim-mode", [&](Orientation& o) {
+    if (o.aimMode == mode) return;
+    const Vec3 point = aimPoint(state.key(), o);
+    o.aimMode = mode;
+    setAimPoint(state.key(), o, point);
+  });
+}
+
+EditResult setRollEdit(const EditState& state, const Arguments& arguments) {
+  return changed(state, "step.set-roll", [&](Orientation& o) { o.roll = arguments.number(0); });
+}
+
+EditResult setZoomEdit(const EditState& state, const Arguments& arguments) {
+  return changed(state, "step.set-zoom", [&](Orientation& o) { o.zoom = arguments.number(0); });
+}
+
+EditResult setSpeedEdit(const EditState& state, const Arguments& arguments) {
+  if (!ownsSection(state)) return noSection();
+  return changed(state, "step.set-speed", [&](Orientation& o) {
+    for (std::size_t j = 0; j < o.speed.size(); ++j) o.speed[j] = arguments.number(j);
+  });
+}
+
+EditResult setSpeedValueEdit(const EditState& state, const Arguments& arguments) {
+  if (!ownsSection(state)) return noSection();
+  const std::size_t j = arguments.index(0);
+  if (j >= kSpeedValues) return tl::unexpected(Text("refusal.speed-index", {j}));
+  return changed(state, "step.set-speed",
+                 [&](Orientation& o) { o.speed[j] = arguments.number(1); });
+}
+
+EditResult easeEdit(const EditState& state, const Arguments& arguments) {
+  if (!ownsSection(state)) return noSection();
+  return changed(state, "step.set-speed",
+                 [&](Orientation& o) { o.speed = *easeValues(arguments.text(0)); });
+}
+
+EditResult matchSpeedEdit(const EditState& state, const Arguments& arguments) {
+  if (!ownsSection(state)) return noSection();
+  const bool before = arguments.text(0) == "before";
+  const std::optional<double> speed = before ? state.evaluation.speedBefore(state.current())
+                                             : state.evaluation.speedAfter(state.current());
+  if (!speed) return tl::unexpected(Text("refusal.no-neighbour"));
+  return changed(state, "step.set-speed",
+                 [&](Orientation& o) { (before ? o.speed.front() : o.speed.back()) = *speed; });
+}
+
+EditResult setDurationEdit(const EditState& state, const Arguments& arguments) {
+  if (!ownsSection(state)) return noSection();
+  return changed(state, "step.set-duration",
+                 [&](Orientation& o) { o.duration = arguments.number(0); });
+}
+
+EditResult setDurationFramesEdit(const EditState& state, const Arguments& arguments) {
+  if (!ownsSection(state)) return noSection();
+  return changed(state, "step.set-duration", [&](Orientation& o) {
+    o.duration = arguments.number(0) / state.flight.frameRate;
+  });
+}
+
+EditResult clearDurationEdit(const EditState& state, const Arguments&) {
+  return changed(state, "step.clear-duration", [&](Orientation& o) { o.duration.reset(); });
+}
+
+EditResult setHoldEdit(const EditState& state, const Arguments& arguments) {
+  return changed(state, "step.set-hold", [&](Orientation& o) { o.hold = arguments.number(0); });
+}
+
+}  // namespace vides

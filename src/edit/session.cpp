@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+// The session's heart: how a command or a gesture changes the flight, and what follows from it.
+#include "edit/session.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "edit/command_table.hpp"
+#include "flight/validation.hpp"
+
+namespace vides {
+namespace {
+
+Text pointText(const Vec3& p) { return Text("output.point", {p.x, p.y, p.z}); }
+
+// Everything but the keys, with two keys that are valid.
+std::vector<Problem> checkAllButKeys(const Flight& flight) {
+  Flight rest = flight;
+  rest.keys = newFlight().keys;
+  return validate(rest);
+}
+
+bool sameButKeys(const Flight& a, const Flight& b) {
+  return a.name == b.name && a.frameRate == b.frameRate && a.picture == b.picture &&
+         a.lens == b.lens && a.space == b.space && a.rates == b.rates && a.presets == b.presets &&
+         a.scene == b.scene;
+}
+
+}  // namespace
+
+Session::Session(SessionSeams seams) : seams_(std::move(seams)), history_(seams_.historyBytes) {
+  reset(newFlight());
+}
+Session::~Session() = default;
+
+void Session::reset(Flight flight) {
+  state_.evaluation = Evaluation(flight);
+  state_.flight = flight;
+  state_.marks = Marks{};
+  savedFlight_ = std::move(flight);
+  modified_ = false;
+  missingOnDisk_ = false;
+  toldOfDisk_ = false;
+  history_.clear();
+  gesture_.reset();
+  window_.reset();
+  playback_.stop();
+  playback_.goTo(0);
+  freeCamera_.reset();
+  view_.throughCamera = false;
+  output_ = {};
+}
+
+void Session::recover(Flight flight, std::string path) {
+  Flight saved = newFlight();
+  if (!path.empty()) {
+    if (auto onDisk = file_.open(path)) saved = std::move(*onDisk);
+  }
+  reset(std::move(flight));
+  savedFlight_ = std::move(saved);
+  modified_ = true;
+}
+
+// --- Commands ---
+
+bool Session::execute(std::string_view line) {
+  const auto command = parseCommand(line);
+  return command ? execute(*command) : refuse(command.error());
+}
+
+bool Session::execute(const Command& command) {
+  if (auto checked = checkArguments(command); !checked) return refuse(checked.error());
+  if (auto why = obstacle(command)) return refuse(std::move(*why));
+  std::optional<Text> window;
+  if (gesture_ && gesture_->window && findCommand(command.name)->exclusive) {
+    window = gesture_->step;
+    commit();
+  }
+  const auto done = run(command);
+  if (window && !gesture_) beginWindow(*window);
+  return done ? true : refuse(done.error());
+}
+
+bool Session::available(std::string_view name) const {
+  const CommandSpecification* command = findCommand(name);
+  return command != nullptr && !obstacle(Command(command->name));
+}
+
+std::optional<Text> Session::obstacle(const Command& command) const {
+  const CommandSpecification& specification = *findCommand(command.name);
+  if (specification.exclusive && gesture_ && !gesture_->window) return "refusal.in-gesture";
+  if (specification.exclusive && question_) return "refusal.answer-first";
+  if (specification.available != nullptr && !specification.available(*this)) {
+    return Text("refusal.not-available", {Text(specification.titleKey())});
+  }
+  return std::nullopt;
+}
+
+tl::expected<void, Text> Session::run(const Command& command) {
+  const CommandSpecification& specification = *findCommand(command.name);
+  const Arguments arguments(command);
+  if (const auto* edit = std::get_if<EditFunction>(&specification.run)) {
+    return apply((*edit)(state_, arguments));
+  }
+  return std::get<ActFunction>(specification.run)(*this, arguments);
+}
+
+bool Session::refuse(Text why) {
+  say(MessageKind::kRefusal, std::move(why));
+  return false;
+}
+
+void Session::say(MessageKind kind, Text text) { output_ = {kind, std::move(text)}; }
+
+// --- Changing the flight ---
+
+std::optional<Text> Session::problemWith(const Flight& flight) const {
+  const auto told = [](const Problem& problem) { return Text("refusal.problem", {problem}); };
+  if (!sameButKeys(flight, state_.flight)) {
+    if (const auto problems = checkAllButKeys(flight); !problems.empty()) {
+      return told(problems.front());
+    }
+  }
+  if (!limits::kKeys.contains(flight.keys.size())) return Text("refusal.too-many-keys");
+  for (const auto& change :
+       KeyList::Sequence::changes(state_.flight.keys.sequence(), flight.keys.sequence())) {
+    for (std::size_t k = change.first; k < change.newLast; ++k) {
+      if (const auto problem = checkKey(flight, k)) return told(*problem);
+    }
+  }
+  return std::nullopt;
+}
+
+tl::expected<Evaluation, Text> Session::evaluated(const Flight& flight) const {
+  if (auto problem = problemWith(flight)) return tl::unexpected(std::move(*problem));
+  Evaluation evaluation = state_.evaluation.updated(flight);
+  if (evaluation.frameCount() > static_cast<std::int64_t>(limits::kFrames)) {
+    return tl::unexpected(Text("refusal.too-many-frames", {evaluation.frameCount()}));
+  }
+  return evaluation;
+}
+
+void Session::show(const Flight& flight, const Evaluation& evaluation, const Marks& marks) {
+  const bool onCurrent = frame() == state_.evaluation.frameOf(current());
+  const bool moved = marks.current != current();
+  if (freeCamera_ && !(flight.space == state_.flight.space)) {
+    Vec3& place = freeCamera_->viewReferencePoint;
+    place = flight.space.toCube(state_.flight.space.toWorld(place));
+  }
+  state_ = {flight, evaluation, marks};
+  // The playhead stays with the current orientation, however many frames now come before it.
+  if (moved || (onCurrent && !playback_.playing())) {
+    playback_.goTo(state_.evaluation.frameOf(current()));
+  }
+  const std::int64_t last = state_.evaluation.frameCount() - 1;
+  if (frame() > last) playback_.goTo(last);
+}
+
+tl::expected<void, Text> Session::apply(const EditResult& edit) {
+  if (!edit) return tl::unexpected(edit.error());
+  const bool changes = !(edit->flight == state_.flight);
+  const EditState before = state_;
+  if (changes) {
+    const auto evaluation = evaluated(edit->flight);
+    if (!evaluation) return tl::unexpected(evaluation.error());
+    show(edit->flight, *evaluation, clamped(edit->marks, edit->flight));
+    pushStep(edit->step, before);
+  } else if (!(edit->marks == state_.marks)) {
+    show(state_.flight, state_.evaluation, edit->marks);
+  }
+  output_ = edit->note.empty() ? OutputLine{} : OutputLine{MessageKind::kDone, edit->note};
+  return {};
+}
+
+void Session::pushStep(Text name, const EditState& before) {
+  history_.push({std::move(name), before.flight, state_.flight, before.marks, state_.marks});
+  updateModified();
+}
+
+void Session::updateModified() { modified_ = !(state_.flight == savedFlight_); }
+
+// --- Gestures ---
+
+void Session::begin(Text step) {
+  if (gesture_ && gesture_->window) {
+    const Text window = gesture_->step;
+    commit();
+    window_ = window;
+  } else if (gesture_) {
+    cancel();
+  }
+  gesture_ = Gesture{std::move(step), state_, playback_, false};
+}
+
+void Session::beginWindow(Text step) {
+  if (gesture_) cancel();
+  gesture_ = Gesture{std::move(step), state_, playback_, true};
+}
+
+bool Session::preview(Flight flight) {
+  if (!gesture_) return false;
+  const auto evaluation = evaluated(flight);
+  if (!evaluation) return refuse(evaluation.error());
+  show(flight, *evaluation, clamped(state_.marks, flight));
+  output_ = {};
+  return true;
+}
+
+bool Session::preview(const Command& command) {
+  if (!gesture_) return false;
+  if (auto checked = checkArguments(command); !checked) return refuse(checked.error());
+  const auto* edit = std::get_if<EditFunction>(&findCommand(command.name)->run);
+  if (edit == nullptr) return refuse("refusal.in-gesture");
+  const EditResult result = (*edit)(state_, Arguments(command));
+  if (!result) return refuse(result.error());
+  return preview(result->flight);
+}
+
+void Session::commit() {
+  if (!gesture_) return;
+  if (!(state_.flight == gesture_->start.flight)) pushStep(gesture_->step, gesture_->start);
+  endGesture();
+}
+
+void Session::cancel() {
+  if (!gesture_) return;
+  const Gesture gesture = std::move(*gesture_);
+  gesture_.reset();
+  show(gesture.start.flight, gesture.start.evaluation, gesture.start.marks);
+  playback_ = gesture.playback;
+  output_ = {};
+  endGesture();
+}
+
+void Session::endGesture() {
+  gesture_.reset();
+  if (!window_) return;
+  const Text window = *window_;
+  window_.reset();
+  beginWindow(window);
+}
+
+// --- Current, playhead ---
+
+void Session::setMarks(const Marks& marks) {
+  state_.marks = clamped(marks, state_.flight);
+  output_ = {};
+}
+
+void Session::makeCurrent(const Marks& marks) {
+  setMarks(marks);
+  playback_.goTo(state_.evaluation.frameOf(current()));
+}
+
+void Session::advance(double now) {
+  playback_.advance(now, state_.evaluation.frameCount(), state_.flight.frameRate);
+}
+
+Camera Session::camera() const {
+  return freeCamera_ ? *freeCamera_ : state_.evaluation.frame(frame()).camera;
+}
+
+// --- What is told ---
+
+OutputLine Session::output() const {
+  if (!output_.text.empty()) return output_;
+  const Key& key = currentKey();
+  const Orientation& o = currentOrientation();
+  const auto shown = [&](const Vec3& p) {
+    return pointText(display_.units == Units::kScene ? state_.flight.space.toWorld(p) : p);
+  };
+  return {MessageKind::kNumbers,
+          Text("output.numbers", {current().key + 1, state_.flight.keys.size(),
+                                  current().orientation + 1, key.orientations.size(),
+                                  shown(key.position), shown(aimPoint(key, o)), o.roll, o.zoom})};
+}
+
+std::optional<Text> Session::undoName() const {
+  if (!history_.canUndo()) return std::nullopt;
+  return Text("menu.undo", {history_.undoStep().name});
+}
+
+std::optional<Text> Session::redoName() const {
+  if (!history_.canRedo()) return std::nullopt;
+  return Text("menu.redo", {history_.redoStep().name});
+}
+
+Text Session::title() const {
+  const char* key = modified() ? "title.modified" : "title.saved";
+  if (path().empty()) return Text(key, {Text("title.untitled")});
+  return Text(key, {std::filesystem::path(path()).filename().string()});
+}
+
+void Session::setRecentFiles(std::vector<std::string> files) {
+  recentFiles_ = std::move(files);
+  if (recentFiles_.size() > kRecentFiles) recentFiles_.resize(kRecentFiles);
+}
+
+bool Session::windowOpen(std::string_view name) const {
+  return std::find(windows_.begin(), windows_.end(), name) != windows_.end();
+}
+
+}  // namespace vides

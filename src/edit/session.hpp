@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// The editor's state without a screen: document, evaluation, current, playhead, view, output line.
+//
+// Only execute() and the gestures change the flight. Each change is checked against the format's
+// ranges first; what is refused changes nothing and is told in the output line. The evaluation
+// follows within the same call. Belongs to one thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edit/command.hpp"
+#include "edit/disk_file.hpp"
+#include "edit/display.hpp"
+#include "edit/edit_state.hpp"
+#include "edit/history.hpp"
+#include "edit/marks.hpp"
+#include "edit/playback.hpp"
+#include "edit/text.hpp"
+#include "edit/view_state.hpp"
+#include "evaluate/evaluation.hpp"
+#include "flight/flight.hpp"
+
+namespace vides {
+
+enum class MessageKind {
+  kNumbers,  // where the current key is, and the like
+  kDone,     // what was done ("Saved …")
+  kRefusal,  // what the user asked for can't be done
+  kError,    // something failed
+};
+struct OutputLine {
+  MessageKind kind = MessageKind::kNumbers;
+  Text text;
+  bool operator==(const OutputLine&) const = default;
+};
+
+// What must be answered before it goes on: `answer CHOICE`, or answer cancel.
+struct Question {
+  enum class Kind {
+    kUnsaved,        // choices save, discard, cancel
+    kChangedOnDisk,  // choices overwrite, save-as, cancel
+    kOutsideCube,    // choices enlarge, cancel
+  };
+  Kind kind = Kind::kUnsaved;
+  Text text;
+  std::vector<std::string> choices;
+};
+
+// A box in scene units.
+struct SceneBounds {
+  Vec3 low{0.0}, high{0.0};
+};
+
+// What the session needs from outside. Everything may be left out: the clipboard is then the
+// session's own, and scenes have no size.
+struct SessionSeams {
+  std::function<std::string()> clipboard;
+  std::function<void(const std::string&)> setClipboard;
+  std::function<tl::expected<SceneBounds, Text>(const std::string& path)> sceneBounds;
+  std::size_t historyBytes = History::kMostBytes;
+};
+
+class Session {
+ public:
+  static constexpr std::size_t kRecentFiles = 10;
+
+  // Begins with New.
+  explicit Session(SessionSeams seams = {});
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  // False where it was refused or failed: the output line tells why. Between begin() and commit()
+  // commands that edit are refused; in a window's gesture they end its step first.
+  bool execute(const Command& command);
+  bool execute(std::string_view line);  // as after `do` in a script
+  bool available(std::string_view command) const;
+
+  // One gesture, one step: begin() at the press, preview() as often as wanted, each computed from
+  // start(), and commit(), which makes a step if the flight has changed. cancel() puts everything
+  // back.
+  void begin(Text step);
+  // The same for a window that previews for as long as it is open. Another edit in the meantime
+  // ends the window's step first; the window then goes on from what that edit made.
+  void beginWindow(Text step);
+  bool inGesture() const { return gesture_.has_value(); }
+  const EditState& start() const { return gesture_->start; }
+  // False where the flight isn't valid: the last valid preview stays, and the output line tells.
+  bool preview(Flight flight);
+  // A command that edits, on top of what is shown: for sliders and windows that preview.
+  bool preview(const Command& command);
+  void commit();
+  void cancel();
+
+  // The document.
+  const Flight& flight() const { return state_.flight; }
+  const Evaluation& evaluation() const { return state_.evaluation; }
+  const EditState& state() const { return state_; }
+  const History& history() const { return history_; }
+  std::optional<Text> undoName() const;  // "Undo Move key 3"; nothing where nothing can be undone
+  std::optional<Text> redoName() const;
+  // Empty until it is saved or opened.
+  const std::string& path() const { return file_.path(); }
+  // Whether closing would lose something.
+  bool modified() const { return modified_ || missingOnDisk_; }
+  // Name of the file (or "untitled") and a mark where it is modified.
+  Text title() const;
+  const std::vector<std::string>& recentFiles() const { return recentFiles_; }
+  void setRecentFiles(std::vector<std::string> files);
+  // A flight from a recovery file: unsaved, as if it had been edited.
+  void recover(Flight flight, std::string path);
+  // Looks whether another program has changed or deleted the file, and tells so once.
+  void checkDisk();
+
+  // Current and selection.
+  const OrientationPlace& current() const { return state_.marks.current; }
+  const KeySelection& selected() const { return state_.marks.selected; }
+  const Key& currentKey() const { return state_.key(); }
+  const Orientation& currentOrientation() const { return state_.orientation(); }
+
+  // The playhead and its camera.
+  std::int64_t frame() const { return playback_.frame(); }
+  const Playback& playback() const { return playback_; }
+  void advance(double now);
+  // What the camera view shows: the free camera, else the playhead's.
+  Camera camera() const;
+  const std::optional<Camera>& freeCamera() const { return freeCamera_; }
+
+  const ViewState& view() const { return view_; }
+  const Display& display() const { return display_; }
+  void setDisplay(const Display& display) { display_ = display; }
+  void setView(const ViewState& view) { view_ = view; }
+
+  // The output line: the last message, else the current numbers.
+  OutputLine output() const;
+  void say(MessageKind kind, Text text);
+
+  const std::optional<Question>& question() const { return question_; }
+  // Windows that are open, the top one last: "shape", "flight", "chooser-open", "shortcuts", …
+  const std::vector<std::string>& windows() const { return windows_; }
+  bool windowOpen(std::string_view name) const;
+  bool quitRequested() const { return quit_; }
+  bool fullScreen() const { return fullScreen_; }
+
+ private:
+  friend struct SessionActions;
+  struct Gesture {
+    Text step;
+    EditState start;
+    Playback playback;
+    bool window = false;
+  };
+
+  bool refuse(Text why);
+  // Runs a command that was checked.
+  tl::expected<void, Text> run(const Command& command);
+  // Why a command can't run now; nothing where it can.
+  std::optional<Text> obstacle(const Command& command) const;
+  // What is wrong with a flight, by what differs from the one that is shown.
+  std::optional<Text> problemWith(const Flight& flight) const;
+  // Checked, then evaluated, reusing what is shown.
+  tl::expected<Evaluation, Text> evaluated(const Flight& flight) const;
+  tl::expected<void, Text> apply(const EditResult& edit);
+  void show(const Flight& flight, const Evaluation& evaluation, const Marks& marks);
+  void setMarks(const Marks& marks);
+  void makeCurrent(const Marks& marks);
+  void pushStep(Text name, const EditState& before);
+  void updateModified();
+  // Ends a gesture; a window's gesture that it interrupted begins again.
+  void endGesture();
+  void reset(Flight flight);
+
+  SessionSeams seams_;
+  EditState state_;
+  History history_;
+  DiskFile file_;
+  Flight savedFlight_;
+  bool modified_ = false;
+  bool missingOnDisk_ = false;
+  bool toldOfDisk_ = false;
+  std::optional<Gesture> gesture_;
+  std::optional<Text> window_;  // the step of the window's gesture that a drag interrupts
+  Playback playback_;
+  std::optional<Camera> freeCamera_;
+  ViewState view_;
+  Display display_;
+  OutputLine output_;
+  std::optional<Question> question_;
+  std::optional<Command> afterAnswer_;  // goes on when the question is answered, or after saving
+  std::vector<std::string> windows_;
+  std::vector<std::string> recentFiles_;
+  std::string ownClipboard_;
+  bool quit_ = false;
+  bool fullScreen_ = false;
+};
+
+}  // namespace vides

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// Commands for the view, the free camera, display and windows.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "edit/camera_edits.hpp"
+#include "edit/free_camera.hpp"
+#include "edit/session_actions.hpp"
+
+namespace vides {
+namespace {
+
+using Result = SessionActions::Result;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// The box around points.
+struct Box {
+  Vec3 low{1e300}, high{-1e300};
+  void add(const Vec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+};
+
+}  // namespace
+
+// --- The view ---
+
+Result SessionActions::view(Session& session, const Arguments& arguments) {
+  if (arguments.text(0) == "camera") return viewCamera(session, arguments);
+  const NamedView named = *namedView(arguments.text(0));
+  ViewState& state = session.view_;
+  state.view = turnedTo(state.view, state.pivot, named.turn, named.tilt);
+  state.throughCamera = false;
+  return {};
+}
+
+Result SessionActions::viewOpposite(Session& session, const Arguments&) {
+  session.view_.view = opposite(session.view_.view, session.view_.pivot);
+  session.view_.throughCamera = false;
+  return {};
+}
+
+Result SessionActions::viewCamera(Session& session, const Arguments&) {
+  ViewState& state = session.view_;
+  state.throughCamera = !state.throughCamera;
+  // When it is left, one goes on from the camera's direction.
+  if (state.throughCamera) {
+    state.view = lookingAlong(state.view, session.camera().viewPlaneNormal);
+  }
+  return {};
+}
+
+Result SessionActions::perspective(Session& session, const Arguments& arguments) {
+  ProjectionType& type = session.view_.view.type;
+  const bool on = switched(arguments, 0, type == ProjectionType::Perspective);
+  type = on ? ProjectionType::Perspective : ProjectionType::Parallel;
+  session.view_.throughCamera = false;
+  return {};
+}
+
+Result SessionActions::setView(Session& session, const Arguments& arguments) {
+  EditorView view = session.view_.view;
+  view.turn = arguments.number(0);
+  view.tilt = arguments.number(1);
+  view.size = arguments.number(2);
+  if (arguments.has(5)) view.target = arguments.point(3);
+  session.view_.view = limited(view);
+  session.view_.throughCamera = false;
+  return {};
+}
+
+Result SessionActions::setTurn(Session& session, const Arguments& arguments) {
+  ViewState& state = session.view_;
+  state.view = turnedTo(state.view, state.pivot, arguments.number(0), state.view.tilt);
+  state.throughCamera = false;
+  return {};
+}
+
+Result SessionActions::setTilt(Session& session, const Arguments& arguments) {
+  ViewState& state = session.view_;
+  state.view = turnedTo(state.view, state.pivot, state.view.turn, arguments.number(0));
+  state.throughCamera = false;
+  return {};
+}
+
+Result SessionActions::setSize(Session& session, const Arguments& arguments) {
+  EditorView view = session.view_.view;
+  view.size = arguments.number(0);
+  session.view_.view = limited(view);
+  session.view_.throughCamera = false;
+  return {};
+}
+
+Result SessionActions::frameSelection(Session& session, const Arguments&) {
+  Box box;
+  for (const std::size_t k : session.selected().keys()) box.add(session.flight().keys[k].position);
+  session.view_.view = framed(session.view_.view, box.low, box.high);
+  session.view_.pivot = session.view_.view.target;
+  session.view_.throughCamera = false;
+  return {};
+}
+
+Result SessionActions::frameAll(Session& session, const Arguments&) {
+  EditorView& view = session.view_.view;
+  view.target = Vec3(0.0);
+  view.size = 1.0;
+  session.view_.pivot = Vec3(0.0);
+  session.view_.throughCamera = false;
+  return {};
+}
+
+Result SessionActions::swapViews(Session& session, const Arguments&) {
+  session.view_.swapped = !session.view_.swapped;
+  return {};
+}
+
+// --- The free camera ---
+
+Result SessionActions::fly(Session& session, const Camera& camera) {
+  session.playback_.stop();
+  session.freeCamera_ = camera;
+  session.output_ = {};
+  return {};
+}
+
+Result SessionActions::setFreeView(Session& session, const Arguments& arguments) {
+  Camera camera{arguments.point(0), arguments.point(3), arguments.point(6), arguments.number(9)};
+  if (glm::length(camera.viewPlaneNormal) < 1e-9) return tl::unexpected(Text("refusal.vpn-zero"));
+  return fly(session, zoomedCamera(normalized(camera), 0.0));
+}
+
+Result SessionActions::flyTurn(Session& session, const Arguments& arguments) {
+  return fly(session, turnedCamera(session.camera(), arguments.number(0) * kDegree,
+                                   arguments.number(1) * kDegree));
+}
+
+Result SessionActions::flyMove(Session& session, const Arguments& arguments) {
+  return fly(session, movedCamera(session.camera(), arguments.number(0), arguments.number(1),
+                                  arguments.number(2)));
+}
+
+Result SessionActions::flyRoll(Session& session, const Arguments& arguments) {
+  return fly(session, rolledCamera(session.camera(), arguments.number(0) * kDegree));
+}
+
+Result SessionActions::flyZoom(Session& session, const Arguments& arguments) {
+  return fly(session, zoomedCamera(session.camera(), arguments.number(0)));
+}
+
+Result SessionActions::leaveView(Session& session, const Arguments&) {
+  session.freeCamera_.reset();
+  return {};
+}
+
+Result SessionActions::withCamera(Session& session, const char* command, bool enlarge) {
+  const bool newKey = std::string_view(command) == "new-key-from-view";
+  Camera camera = session.camera();
+  EditState state = session.state_;
+  if (!insideCube(camera)) {
+    if (!enlarge) {
+      session.question_ = Question{
+          Question::Kind::kOutsideCube, Text("question.outside-cube"), {"enlarge", "cancel"}};
+      session.afterAnswer_ = Command(command);
+      return tl::unexpected(Text("refusal.outside-cube"));
+    }
+    auto flight = enlargedFor(state.flight, camera);
+    if (!flight) return tl::unexpected(flight.error());
+    auto evaluation = session.evaluated(*flight);
+    if (!evaluation) return tl::unexpected(evaluation.error());
+    state.flight = *flight;
+    state.evaluation = *evaluation;
+  }
+  auto done =
+      session.apply(newKey ? vides::newKeyFromView(state, camera) : vides::useView(state, camera));
+  if (done) session.freeCamera_.reset();
+  return done;
+}
+
+Result SessionActions::useView(Session& session, const Arguments&) {
+  return withCamera(session, "use-view", false);
+}
+
+Result SessionActions::newKeyFromView(Session& session, const Arguments&) {
+  return withCamera(session, "new-key-from-view", false);
+}
+
+// --- Display and windows ---
+
+Result SessionActions::showElement(Session& session, const Arguments& arguments) {
+  ElementDisplay& display = session.display_.of(*elementFromName(arguments.text(0)));
+  display.shown = switched(arguments, 1, display.shown);
+  return {};
+}
+
+Result SessionActions::setColour(Session& session, const Arguments& arguments) {
+  for (std::size_t i = 1; i <= 3; ++i) {
+    if (arguments.number(i) > 255) {
+      return tl::unexpected(Text("refusal.colour", {arguments.number(i)}));
+    }
+  }
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(arguments.number(i)); };
+  session.display_.of(*elementFromName(arguments.text(0))).colour =
+      Colour{byte(1), byte(2), byte(3)};
+  return {};
+}
+
+Result SessionActions::resetColour(Session& session, const Arguments& arguments) {
+  session.display_.of(*elementFromName(arguments.text(0))).colour.reset();
+  return {};
+}
+
+Result SessionActions::units(Session& session, const Arguments& arguments) {
+  session.display_.units = arguments.text(0) == "scene" ? Units::kScene : Units::kCube;
+  return {};
+}
+
+Result SessionActions::language(Session& session, const Arguments& arguments) {
+  session.display_.language = arguments.text(0) == "de" ? Language::kGerman : Language::kEnglish;
+  return {};
+}
+
+void SessionActions::openWindow(Session& session, const std::string& name) {
+  std::erase(session.windows_, name);
+  session.windows_.push_back(name);
+}
+
+void SessionActions::hideWindow(Session& session, const std::string& name) {
+  std::erase(session.windows_, name);
+  // Whoever closes the chooser doesn't want to go on with what was to follow the saving.
+  if (name == "chooser-save" && !session.question_) session.afterAnswer_.reset();
+}
+
+Result SessionActions::showWindow(Session& session, const Arguments& arguments) {
+  openWindow(session, arguments.text(0));
+  return {};
+}
+
+Result SessionActions::closeWindow(Session& session, const Arguments& arguments) {
+  if (arguments.has(0)) {
+    hideWindow(session, arguments.text(0));
+  } else if (!session.windows_.empty()) {
+    hideWindow(session, std::string(session.windows_.back()));
+  }
+  return {};
+}
+
+Result SessionActions::fullScreen(Session& session, const Arguments& arguments) {
+  session.fullScreen_ = switched(arguments, 0, session.fullScreen_);
+  return {};
+}
+
+Result SessionActions::escape(Session& session, const Arguments&) {
+  if (session.gesture_ && !session.gesture_->window) {
+    session.cancel();
+  } else if (session.question_) {
+    session.question_.reset();
+    session.afterAnswer_.reset();
+  } else if (session.freeCamera_) {
+    session.freeCamera_.reset();
+  } else if (!session.windows_.empty()) {
+    const std::string window = session.windows_.back();
+    if (window == "shape") session.cancel();  // as its Cancel does
+    hideWindow(session, window);
+  } else {
+    session.output_ = {};
+  }
+  return {};
+}
+
+}  // namespace vides
