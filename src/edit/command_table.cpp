@@ -196,9 +196,14 @@ void addCameraCommands(Table& t) {
   addAct(t, "fly-zoom", {number("STEPS")}, Acts::flyZoom);
 }
 
+std::vector<std::string> switchChoices() { return {switchNames().begin(), switchNames().end()}; }
+
 std::vector<std::string> elementChoices() {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < kElements; ++i) names.emplace_back(name(static_cast<Element>(i)));
+  for (std::size_t i = 0; i < kColourRoles; ++i) {
+    const auto role = static_cast<ColourRole>(i);
+    if (isElement(role)) names.emplace_back(name(role));
+  }
   return names;
 }
 
@@ -207,11 +212,13 @@ void addDisplayCommands(Table& t) {
       "shape",        "speed",          "flight",       "insert-keys", "frames",
       "settings",     "colours",        "shortcuts",    "about",       "chooser-open",
       "chooser-save", "chooser-import", "chooser-setup"};
-  addAct(t, "show-element", {choice("ELEMENT", elementChoices()), onOff()}, Acts::showElement);
+  addAct(t, "show-element", {choice("ELEMENT", switchChoices()), onOff()}, Acts::showElement);
   addAct(t, "set-colour",
          {choice("ELEMENT", elementChoices()), index("RED"), index("GREEN"), index("BLUE")},
          Acts::setColour);
   addAct(t, "reset-colour", {choice("ELEMENT", elementChoices())}, Acts::resetColour);
+  addAct(t, "theme", {choice("THEME", {"dark", "light", "high_contrast"})}, Acts::setTheme);
+  addAct(t, "content-scale", {number("SCALE")}, Acts::contentScale);
   addAct(t, "units", {choice("UNITS", {"cube", "scene"})}, Acts::units);
   addAct(t, "language", {choice("LANGUAGE", {"en", "de"})}, Acts::language);
   addAct(t, "show-window", {choice("WINDOW", windows)}, Acts::showWindow);

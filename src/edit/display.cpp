@@ -1,51 +1,59 @@
 // SPDX-License-Identifier: MIT
-// Names and colours of what the viewport shows (8-looks).
+// The display's switches by their names.
 #include "edit/display.hpp"
-
-#include <algorithm>
 
 namespace vides {
 namespace {
 
-struct ElementFacts {
+struct Switch {
   std::string_view name;
-  Colour colour;
-  bool shown;
+  bool* (*of)(Display& display);
 };
 
-constexpr std::array<ElementFacts, kElements> kFacts = {{
-    {"cube", {0x7c, 0x87, 0x94}, true},
-    {"scene", {0xc3, 0xc9, 0xd0}, true},
-    {"curve", {0x56, 0xb4, 0xe9}, true},
-    {"current-section", {0xf2, 0xa3, 0x3a}, true},
-    {"keys", {0xe6, 0xe8, 0xeb}, true},
-    {"vpn", {0x33, 0xc0, 0x8d}, true},
-    {"vup", {0xcc, 0x79, 0xa7}, true},
-    {"vup-circle", {0xcc, 0x79, 0xa7}, true},
-    {"aim", {0x33, 0xc0, 0x8d}, true},
-    {"axes", {0x9a, 0xa3, 0xad}, true},
-    {"grid", {0x34, 0x3a, 0x42}, false},
-    {"cameras", {0x9a, 0xa3, 0xad}, false},
-    {"tangents", {0xf2, 0xa3, 0x3a}, false},
-    {"safe-frames", {0xe6, 0xe8, 0xeb}, false},
-    {"thirds", {0xe6, 0xe8, 0xeb}, false},
-}};
+constexpr Switch kSwitches[] = {
+    {"cube", [](Display& d) { return &d.shown.cube; }},
+    {"scene", [](Display& d) { return &d.shown.scene; }},
+    {"scene-points", [](Display& d) { return &d.shown.sceneAsPoints; }},
+    {"curve", [](Display& d) { return &d.shown.curve; }},
+    {"keys", [](Display& d) { return &d.shown.keys; }},
+    {"numbers", [](Display& d) { return &d.shown.numbers; }},
+    {"aim", [](Display& d) { return &d.shown.aim; }},
+    {"up", [](Display& d) { return &d.shown.up; }},
+    {"up-circle", [](Display& d) { return &d.shown.upCircle; }},
+    {"axes", [](Display& d) { return &d.shown.axes; }},
+    {"ghosts", [](Display& d) { return &d.shown.ghosts; }},
+    {"playhead", [](Display& d) { return &d.shown.playhead; }},
+    {"plane-squares", [](Display& d) { return &d.shown.planeSquares; }},
+    {"thirds", [](Display& d) { return &d.thirds; }},
+    {"safe-frames", [](Display& d) { return &d.safeFrames; }},
+    {"sliders", [](Display& d) { return &d.sliders; }},
+    {"glide", [](Display& d) { return &d.glide; }},
+};
 
 }  // namespace
 
-std::string_view name(Element element) { return kFacts[static_cast<std::size_t>(element)].name; }
-
-std::optional<Element> elementFromName(std::string_view name) {
-  const auto found = std::find_if(kFacts.begin(), kFacts.end(),
-                                  [&](const ElementFacts& facts) { return facts.name == name; });
-  if (found == kFacts.end()) return std::nullopt;
-  return static_cast<Element>(found - kFacts.begin());
+Theme themeOf(const Display& display) {
+  Theme result = theme(display.theme);
+  for (std::size_t i = 0; i < kColourRoles; ++i) {
+    if (display.colours[i]) result.colours[i] = *display.colours[i];
+  }
+  return result;
 }
 
-Colour defaultColour(Element element) { return kFacts[static_cast<std::size_t>(element)].colour; }
+const std::vector<std::string_view>& switchNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list;
+    for (const Switch& s : kSwitches) list.push_back(s.name);
+    return list;
+  }();
+  return names;
+}
 
-Display::Display() {
-  for (std::size_t i = 0; i < kElements; ++i) elements[i].shown = kFacts[i].shown;
+bool* switchOf(Display& display, std::string_view name) {
+  for (const Switch& s : kSwitches) {
+    if (s.name == name) return s.of(display);
+  }
+  return nullptr;
 }
 
 }  // namespace vides

@@ -1,67 +1,42 @@
 // SPDX-License-Identifier: MIT
-// What the viewport shows and in which colours: the part of the setup that commands change.
+// What is shown, in which colours, units and language: the part of the setup that commands change.
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/problem_text.hpp"
+#include "scene/theme.hpp"
+#include "scene/viewport_scene.hpp"
 
 namespace vides {
 
-// Everything that has a colour and can be hidden.
-enum class Element : std::uint8_t {
-  kCube,
-  kScene,
-  kCurve,
-  kCurrentSection,
-  kKeys,
-  kVpn,
-  kVup,
-  kVupCircle,
-  kAim,
-  kAxes,
-  kGrid,
-  kCameras,
-  kTangents,
-  kSafeFrames,
-  kThirds,
-};
-inline constexpr std::size_t kElements = 15;
-
-// As in commands and setups: "cube", "current-section", …
-std::string_view name(Element element);
-std::optional<Element> elementFromName(std::string_view name);
-
-// Red, green, blue, 0 to 255.
-struct Colour {
-  std::uint8_t red = 0, green = 0, blue = 0;
-  bool operator==(const Colour&) const = default;
-};
-Colour defaultColour(Element element);
-
 enum class Units { kCube, kScene };
 
-struct ElementDisplay {
-  bool shown = true;
-  std::optional<Colour> colour;  // of the theme where there is none
-  bool operator==(const ElementDisplay&) const = default;
-};
-
 struct Display {
-  Display();
-  std::array<ElementDisplay, kElements> elements;
+  ShownElements shown;
+  bool thirds = false;
+  bool safeFrames = false;
+  bool sliders = true;  // the three around the viewport
+  ThemeKind theme = ThemeKind::kDark;
+  std::array<std::optional<Colour>, kColourRoles> colours;  // chosen instead of the theme's
   Units units = Units::kCube;  // in which panels show and take positions
   Language language = Language::kEnglish;
+  double contentScale = 0.0;  // chosen instead of the screen's; 0: the screen's
+  bool glide = true;          // view changes by key take 150 ms
 
-  const ElementDisplay& of(Element element) const {
-    return elements[static_cast<std::size_t>(element)];
-  }
-  ElementDisplay& of(Element element) { return elements[static_cast<std::size_t>(element)]; }
   bool operator==(const Display&) const = default;
 };
+
+// The theme with the chosen colours in it.
+Theme themeOf(const Display& display);
+
+// What can be shown and hidden, by the names in commands and setups: "cube", "ghosts", …
+const std::vector<std::string_view>& switchNames();
+// The switch of that name; null for other names.
+bool* switchOf(Display& display, std::string_view name);
 
 }  // namespace vides

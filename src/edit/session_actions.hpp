@@ -81,6 +81,8 @@ struct SessionActions {
   static Result showElement(Session& session, const Arguments& arguments);
   static Result setColour(Session& session, const Arguments& arguments);
   static Result resetColour(Session& session, const Arguments& arguments);
+  static Result setTheme(Session& session, const Arguments& arguments);
+  static Result contentScale(Session& session, const Arguments& arguments);
   static Result units(Session& session, const Arguments& arguments);
   static Result language(Session& session, const Arguments& arguments);
   static Result showWindow(Session& session, const Arguments& arguments);

@@ -190,8 +190,8 @@ Result SessionActions::newKeyFromView(Session& session, const Arguments&) {
 // --- Display and windows ---
 
 Result SessionActions::showElement(Session& session, const Arguments& arguments) {
-  ElementDisplay& display = session.display_.of(*elementFromName(arguments.text(0)));
-  display.shown = switched(arguments, 1, display.shown);
+  bool* shown = switchOf(session.display_, arguments.text(0));
+  *shown = switched(arguments, 1, *shown);
   return {};
 }
 
@@ -202,13 +202,27 @@ Result SessionActions::setColour(Session& session, const Arguments& arguments) {
     }
   }
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(arguments.number(i)); };
-  session.display_.of(*elementFromName(arguments.text(0))).colour =
-      Colour{byte(1), byte(2), byte(3)};
+  const auto role = static_cast<std::size_t>(*colourRole(arguments.text(0)));
+  session.display_.colours[role] = Colour{byte(1), byte(2), byte(3), 255};
   return {};
 }
 
 Result SessionActions::resetColour(Session& session, const Arguments& arguments) {
-  session.display_.of(*elementFromName(arguments.text(0))).colour.reset();
+  session.display_.colours[static_cast<std::size_t>(*colourRole(arguments.text(0)))].reset();
+  return {};
+}
+
+Result SessionActions::setTheme(Session& session, const Arguments& arguments) {
+  session.display_.theme = *themeKind(arguments.text(0));
+  return {};
+}
+
+Result SessionActions::contentScale(Session& session, const Arguments& arguments) {
+  const double scale = arguments.number(0);
+  if (scale != 0.0 && (scale < 0.5 || scale > 4.0)) {
+    return tl::unexpected(Text("refusal.content-scale", {scale}));
+  }
+  session.display_.contentScale = scale;
   return {};
 }
 

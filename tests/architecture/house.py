@@ -25,7 +25,7 @@ MAY_INCLUDE = {
     "render": {"math", "flight", "evaluate", "io", "scene"},
     "panels": {"math", "flight", "evaluate", "io", "scene", "edit", "input"},
     # A window or an offscreen context: who draws what into it is the app's matter.
-    "host": {"math", "flight", "evaluate", "scene", "input", "render"},
+    "host": {"math", "flight", "evaluate", "io", "scene", "input", "render"},
     "app": {
         "math", "flight", "evaluate", "io", "scene", "input", "edit", "render", "panels", "host"},
     "capi": {
