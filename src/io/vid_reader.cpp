@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "flight/validation.hpp"
+#include "io/frame_limit.hpp"
 #include "io/read_file.hpp"
 #include "io/vid_values.hpp"
 
@@ -334,6 +335,9 @@ ReadFlight readVid(std::string_view text) {
   }
   if (!values.problems().empty()) return tl::unexpected(values.problems().take());
   reading.flight.keys = KeyList(std::move(reading.keys));
+  if (auto problem = checkFrameCount(reading.flight)) {
+    return tl::unexpected(std::vector<Problem>{std::move(*problem)});
+  }
   return std::move(reading.flight);
 }
 

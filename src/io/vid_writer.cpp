@@ -11,6 +11,7 @@
 #include "flight/limits.hpp"
 #include "flight/validation.hpp"
 #include "io/atomic_file.hpp"
+#include "io/frame_limit.hpp"
 
 namespace vides {
 namespace {
@@ -261,6 +262,7 @@ std::optional<Problem> saveVid(const Flight& flight, const std::string& path) {
   if (std::vector<Problem> problems = validate(flight); !problems.empty()) {
     return std::move(problems.front());
   }
+  if (std::optional<Problem> problem = checkFrameCount(flight)) return problem;
   AtomicFile file(path);
   writeVid(flight, [&](std::string_view piece) { return file.write(piece); });
   if (const auto saved = file.commit(); !saved) return problemOf(saved.error());
