@@ -90,9 +90,9 @@ struct Problem {
   std::int64_t column = 0;  // from 1, in characters
   Syntax syntax = Syntax::kNone;
   Expectation expected;
-  // JSON text, shortened ("{…}" and "[…]" for objects and arrays). Of syntax errors the character
-  // that was found, or U+000A, 0xFF for what can't be shown; empty for the end of the file. Or the
-  // system's reason.
+  // JSON text, shortened ("{…}" and "[…]" for objects and arrays). Of syntax errors the word or
+  // character that was found, or "U+000A", "\xFF" for characters and bytes that can't be shown;
+  // empty for the end of the file. Or the system's reason.
   std::string found;
   bool operator==(const Problem&) const = default;
 };

@@ -232,7 +232,8 @@ std::optional<Problem> checkName(std::string_view name, std::string_view pointer
   Expectation expected;
   expected.kind = Expected::kString;
   expected.max = static_cast<double>(limits::kNameCharacters);
-  return problem(ProblemCode::kOutOfRange, pointer, expected, shortened(name));
+  return problem(ProblemCode::kOutOfRange, pointer, expected,
+                 shortened(fmt::format("\"{}\"", name)));
 }
 
 std::optional<Problem> checkPath(std::string_view path, std::string_view pointer) {

@@ -9,8 +9,8 @@
 
 namespace vides {
 
-// kTooManyFrames at /keys. The flight must be valid (flight/validation.hpp). Evaluates it only where
-// a bound on the number of frames leaves the question open.
+// kTooManyFrames at /keys. The flight must be valid (flight/validation.hpp). Evaluates it only
+// where a bound on the number of frames leaves the question open.
 std::optional<Problem> checkFrameCount(const Flight& flight);
 
 // A number that frameCount() of the flight's evaluation doesn't exceed.

@@ -36,7 +36,7 @@ std::string characterAt(const char* at, const char* end) {
   if (byte < 0x20 || byte == 0x7F) return fmt::format("U+{:04X}", byte);
   const std::string_view rest(at, static_cast<std::size_t>(end - at));
   const std::size_t length = utf8Length(rest);
-  if (length == 0) return fmt::format("0x{:02X}", byte);
+  if (length == 0) return fmt::format("\\x{:02X}", byte);
   return std::string(rest.substr(0, length));
 }
 
@@ -165,6 +165,7 @@ JsonNumber JsonReader::number() {
     if (at_ != end_ && (*at_ == '+' || *at_ == '-')) ++at_;
     scanDigits();
   }
+  if (at_ != end_ && isWordPart(*at_)) fail(Syntax::kValue, start);  // 025, 0x19, 1.2.3
   return converted({start, static_cast<std::size_t>(at_ - start)});
 }
 

@@ -228,9 +228,9 @@ std::string syntaxText(const Problem& problem, const Words& words) {
   std::string what = found;
   if (found.empty()) {
     what = words.endOfFile;
-  } else if (found.starts_with("0x") && problem.syntax != Syntax::kValue) {
-    what = put(words.byte, found);
-  } else if (!found.starts_with("U+") && !found.starts_with("0x")) {
+  } else if (found.size() > 1 && found.starts_with('\\')) {
+    what = put(words.byte, "0" + found.substr(1));
+  } else if (!found.starts_with("U+")) {
     what = "'" + found + "'";
   }
   const auto index = static_cast<std::size_t>(problem.syntax);
