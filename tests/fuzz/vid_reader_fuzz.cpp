@@ -23,13 +23,17 @@ void require(bool condition, std::string_view what) {
   std::abort();
 }
 
-void checkProblems(const std::vector<vides::Problem>& problems) {
+void checkProblems(std::string_view text, const std::vector<vides::Problem>& problems) {
   require(!problems.empty() && problems.size() <= vides::kMostProblems, "1 to 20 problems");
   for (const vides::Problem& problem : problems) {
     const std::string line = vides::problemLine("f", problem);
     require(line.size() > 4 && line.size() < 10'000, "a problem in words");
     require(line.find('\n') == line.npos && vides::codePoints(line).has_value(),
             "a problem on one line of UTF-8");
+    // nlohmann-json takes a NUL for the end of the text.
+    if (problem.code == vides::ProblemCode::kSyntax && text.find('\0') == text.npos) {
+      require(!nlohmann::json::accept(text), "what isn't JSON isn't JSON for another parser");
+    }
   }
 }
 
@@ -39,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const vides::ReadFlight flight = vides::readVid(text);
   if (!flight) {
-    checkProblems(flight.error());
+    checkProblems(text, flight.error());
     return 0;
   }
   // Another parser must not find it wrong.
