@@ -14,7 +14,7 @@ namespace {
 std::string numberText(double value) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
-  return fmt::format("{}", value);
+  return fmt::format("{}", value == 0.0 ? 0.0 : value);  // never -0
 }
 
 std::string pointText(const Vec3& p) {
