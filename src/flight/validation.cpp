@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "flight/utf8.hpp"
@@ -136,7 +137,9 @@ void Walk::key(const Key& key) {
   }
   const Step step(*this, "orientations");
   count(key.orientations.size(), limits::kOrientations);
-  for (std::size_t i = 0; i < key.orientations.size() && !full(); ++i) {
+  // What is too many isn't looked at; nor does the reader.
+  const std::size_t size = std::min(key.orientations.size(), limits::kOrientations.max);
+  for (std::size_t i = 0; i < size && !full(); ++i) {
     const Step element(*this, i);
     orientation(key, key.orientations[i]);
   }
@@ -191,7 +194,7 @@ std::vector<Problem> validate(const Flight& flight) {
     walk.count(flight.keys.size(), limits::kKeys);
     std::size_t i = 0;
     flight.keys.forEach([&](const Key& key) {
-      if (!walk.full()) {
+      if (!walk.full() && i < limits::kKeys.max) {
         const Walk::Step element(walk, i);
         walk.key(key);
       }

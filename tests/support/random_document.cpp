@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random documents.
+// Draws random documents member by member, with every edge of every range.
 #include "support/random_document.hpp"
 
 #include <fmt/format.h>
