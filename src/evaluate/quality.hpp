@@ -16,6 +16,23 @@ struct Quality {
   std::int64_t framesOutsideCube = 0;
 };
 
+// Measures frames one by one, in order: for those who walk over them anyway.
+class QualityMeter {
+ public:
+  explicit QualityMeter(double frameRate) : frameRate_(frameRate) {}
+  void add(const Frame& frame);
+  // Of the frames so far.
+  const Quality& quality() const { return quality_; }
+
+ private:
+  double frameRate_;
+  std::int64_t frames_ = 0;
+  Camera before_;
+  double speed_ = 0.0;  // between the last two frames: cube units per second
+  double turn_ = 0.0;   // degrees per second
+  Quality quality_;
+};
+
 // Walks over all frames.
 Quality measureQuality(const Evaluation& evaluation);
 
