@@ -1,3 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The program's entry.
-int main() { return 0; }
+#include "app/cli.hpp"
+#include "io/temporary_files.hpp"
+
+int main(int argc, char** argv) {
+  vides::removeTemporaryFilesOnSignals();
+  return vides::runCommandLine(argc, argv);
+}

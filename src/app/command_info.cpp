@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// `vides info`: what a flight consists of, and how well it flies; for people or for programs.
+#include <fmt/compile.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "app/commands.hpp"
+#include "app/flight_input.hpp"
+#include "app/output.hpp"
+#include "app/progress.hpp"
+#include "evaluate/quality.hpp"
+
+namespace vides {
+namespace {
+
+constexpr std::int64_t kFramesPerReport = 1 << 14;
+
+Quality measureWithProgress(const Evaluation& evaluation) {
+  Progress progress("Measuring");
+  QualityMeter meter(evaluation.flight().frameRate);
+  FrameWalk walk(evaluation);
+  for (Frame frame; walk.next(frame);) {
+    meter.add(frame);
+    if (frame.number % kFramesPerReport == 0) progress.report(frame.number, walk.last());
+  }
+  return meter.quality();
+}
+
+double seconds(std::int64_t frames, const Flight& flight) {
+  return static_cast<double>(frames) / flight.frameRate;
+}
+
+// --- for programs --------------------------------------------------------------------------------
+
+std::string numberText(double value) {
+  std::string text;
+  appendJsonNumber(text, value);
+  return text;
+}
+
+std::string sectionJson(const Section& s, const Flight& flight) {
+  return fmt::format(FMT_COMPILE(R"({{"index":{},"kind":"{}","from":{{"key":{},"orientation":{}}},)"
+                                 R"("to":{{"key":{},"orientation":{}}},"length":{},"angle_deg":{},)"
+                                 R"("frames":{},"seconds":{},"first_frame":{}}})"),
+                     s.index, name(s.kind), s.from.key, s.from.orientation, s.to.key,
+                     s.to.orientation, numberText(s.length), numberText(s.angle), s.frames,
+                     numberText(seconds(s.frames, flight)), s.firstFrame);
+}
+
+void writeJson(const Evaluation& evaluation, Output& output) {
+  const Flight& flight = evaluation.flight();
+  output.write(fmt::format(R"({{"keys":{},"orientations":{},"frames":{},"seconds":{},"length":{},)",
+                           flight.keys.size(), flight.keys.orientations(), evaluation.frameCount(),
+                           numberText(seconds(evaluation.frameCount(), flight)),
+                           numberText(evaluation.length())));
+  output.write("\"sections\":[");
+  for (std::int64_t i = 0; i < evaluation.sectionCount(); ++i) {
+    if (!output.write((i == 0 ? "\n" : ",\n") + sectionJson(evaluation.section(i), flight))) return;
+  }
+  const Quality quality = measureWithProgress(evaluation);
+  output.write(fmt::format(
+      "\n],\"quality\":{{\"max_speed\":{},\"max_angular_speed_deg\":{},\"max_speed_jump\":{},"
+      "\"max_angular_speed_jump\":{},\"frames_outside_cube\":{}}}}}\n",
+      numberText(quality.maxSpeed), numberText(quality.maxAngularSpeed),
+      numberText(quality.maxSpeedJump), numberText(quality.maxAngularSpeedJump),
+      quality.framesOutsideCube));
+}
+
+// --- for people ----------------------------------------------------------------------------------
+
+std::string_view curveName(OrientationCurve curve) {
+  switch (curve) {
+    case OrientationCurve::kSmooth:
+      return "smooth";
+    case OrientationCurve::kCatmullRom:
+      return "catmull_rom";
+    case OrientationCurve::kSlerp:
+      return "slerp";
+  }
+  return "";
+}
+
+// Control characters would play tricks with the terminal.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
+}
+
+std::string placeText(const OrientationPlace& place) {
+  return fmt::format("{}.{}", place.key, place.orientation);
+}
+
+struct Widths {
+  std::size_t index, place, frame, seconds;
+};
+Widths widthsFor(const Evaluation& evaluation) {
+  const Flight& flight = evaluation.flight();
+  return {
+      std::max<std::size_t>(7, fmt::formatted_size("{}", evaluation.sectionCount())),
+      std::max<std::size_t>(4, fmt::formatted_size("{}.9", flight.keys.size())),
+      std::max<std::size_t>(11, fmt::formatted_size("{}", evaluation.frameCount())),
+      std::max<std::size_t>(
+          7, fmt::formatted_size("{:.2f}", seconds(evaluation.frameCount(), flight))),
+  };
+}
+
+void writeTable(const Evaluation& evaluation, Output& output) {
+  const Widths w = widthsFor(evaluation);
+  output.write(fmt::format("{:>{}}  kind  {:<{}}  {:<{}}  {:>{}}  {:>{}}  {:>{}}  {:>9}  {:>7}\n",
+                           "section", w.index, "from", w.place, "to", w.place, "first frame",
+                           w.frame, "frames", w.frame, "seconds", w.seconds, "length", "degrees"));
+  for (std::int64_t i = 0; i < evaluation.sectionCount(); ++i) {
+    const Section s = evaluation.section(i);
+    const std::string row = fmt::format(
+        "{:>{}}  {:<4}  {:<{}}  {:<{}}  {:>{}}  {:>{}}  {:>{}.2f}  {:>9}  {:>7.2f}\n", s.index,
+        w.index, name(s.kind), placeText(s.from), w.place, placeText(s.to), w.place, s.firstFrame,
+        w.frame, s.frames, w.frame, seconds(s.frames, evaluation.flight()), w.seconds,
+        s.kind == SectionKind::kMove ? fmt::format("{:.4f}", s.length) : "", s.angle);
+    if (!output.write(row)) return;
+  }
+}
+
+void writeText(const Evaluation& evaluation, const std::string& file, Output& output) {
+  const Flight& flight = evaluation.flight();
+  output.write(flight.name.empty() ? printable(file) + "\n\n" : printable(flight.name) + "\n\n");
+  output.write(fmt::format("Keys          {} ({})\n", flight.keys.size(),
+                           flight.closed ? "closed" : "open"));
+  output.write(fmt::format("Orientations  {} (curve: {})\n", flight.keys.orientations(),
+                           curveName(flight.orientationCurve)));
+  output.write(
+      fmt::format("Frames        {} ({} a second)\n", evaluation.frameCount(), flight.frameRate));
+  output.write(fmt::format("Seconds       {:.2f}\n", seconds(evaluation.frameCount(), flight)));
+  output.write(fmt::format("Length        {:.4f} cube units\n\n", evaluation.length()));
+  writeTable(evaluation, output);
+  const Quality quality = measureWithProgress(evaluation);
+  output.write(
+      fmt::format("\nTop speed               {:.3f} cube units a second\n"
+                  "Top turn rate           {:.2f} degrees a second\n"
+                  "Largest speed jump      {:.1f} % from frame to frame\n"
+                  "Largest turn rate jump  {:.1f} % from frame to frame\n"
+                  "Frames outside cube     {}\n",
+                  quality.maxSpeed, quality.maxAngularSpeed, 100.0 * quality.maxSpeedJump,
+                  100.0 * quality.maxAngularSpeedJump, quality.framesOutsideCube));
+}
+
+}  // namespace
+
+int runInfo(const InfoCommand& command) {
+  const auto flight = readFlightOrTell(command.flight);
+  if (!flight) return kFailed;
+  const Evaluation evaluation(*flight);
+  Output output;
+  if (command.json) {
+    writeJson(evaluation, output);
+  } else {
+    writeText(evaluation, command.flight, output);
+  }
+  return output.finish() ? kDone : kFailed;
+}
+
+}  // namespace vides

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// One write a message, so that those of programs side by side don't mix.
+#include "app/messages.hpp"
+
+#include <unistd.h>
+
+#include <string>
+
+namespace vides {
+
+void tell(std::string_view message) {
+  std::string line = "vides: ";
+  (line += message) += '\n';
+  // Where standard error can't be written, there is nobody left to tell.
+  [[maybe_unused]] const auto ignored = write(STDERR_FILENO, line.data(), line.size());
+}
+
+}  // namespace vides
