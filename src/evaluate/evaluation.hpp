@@ -38,6 +38,8 @@ class Evaluation {
   Evaluation updated(const Flight& flight) const;
 
   const Flight& flight() const;
+  // Whether both are copies of one evaluation: a cheap look for what is kept between pictures.
+  bool sameAs(const Evaluation& other) const { return state_ == other.state_; }
 
   // At least 1.
   std::int64_t frameCount() const;

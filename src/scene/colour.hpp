@@ -11,6 +11,8 @@ struct Colour {
   bool operator==(const Colour&) const = default;
 };
 
+inline constexpr Colour kNoColour{0, 0, 0, 0};
+
 // 0xRRGGBB, opaque.
 constexpr Colour colour(std::uint32_t rgb) {
   return {static_cast<std::uint8_t>(rgb >> 16 & 0xff), static_cast<std::uint8_t>(rgb >> 8 & 0xff),

@@ -83,7 +83,7 @@ enum class MarkerShape : std::uint8_t { kDisc, kRing, kCross, kSquare, kPlus };
 struct MarkerStyle {
   MarkerShape shape = MarkerShape::kDisc;
   Colour colour;            // of the outline, or of all of a disc
-  Colour fill{0, 0, 0, 0};  // inside a ring or square
+  Colour fill = kNoColour;  // inside a ring or square
   float radius = 4.0f;      // from the middle to the outline's middle
   float width = 1.5f;       // of the outline
   Vec2 offset{0.0};

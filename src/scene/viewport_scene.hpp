@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "evaluate/evaluation.hpp"
@@ -59,11 +60,20 @@ struct ViewportState {
   std::optional<DragDisplay> drag;
 };
 
-// Sizes of the texts that Dear ImGui will draw, for placing them: pixels, content scale included.
-struct TextSize {
+// The texts beside the current orientation's arrows, and the sizes of all texts (Dear ImGui draws
+// them later) for placing them: pixels, content scale included.
+struct ViewportText {
+  std::string aim = "aim";
+  std::string up = "VUP";
   double digitWidth = 8.0;
   double letterWidth = 8.0;
   double lineHeight = 16.0;
+};
+
+// Pixels along the rectangle's edges that something else covers (sliders, say): labels and the
+// triad keep away from them.
+struct Margins {
+  double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
 };
 
 struct ViewportInput {
@@ -72,7 +82,8 @@ struct ViewportInput {
   EditorView view;
   PixelRectangle rectangle;
   double contentScale = 1.0;
-  TextSize text;
+  Margins margins;
+  ViewportText text;
   ViewportState state;
   ShownElements shown;
   Theme theme = vides::theme(ThemeKind::kDark);

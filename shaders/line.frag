@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// How much of a pixel a segment covers, from the pixel's distance to it.
+#version 330 core
+flat in vec2 from;
+flat in vec2 to;
+flat in vec4 cuts;
+flat in float patternStart;
+noperspective in float far;
+
+uniform vec2 target;
+uniform float halfWidth;
+uniform vec2 dash;    // pixels on, and of the whole pattern; 0: solid
+uniform vec4 colour;  // straight alpha
+uniform vec3 ground;
+uniform float fade;
+uniform float least;  // coverage below which nothing is drawn
+
+layout(location = 0) out vec4 outColour;
+
+void main() {
+  vec2 place = vec2(gl_FragCoord.x, target.y - gl_FragCoord.y);
+  // At a join each pixel belongs to one of the two segments, so that none is covered twice.
+  if (cuts.xy != vec2(0.0) && dot(place - from, cuts.xy) < 0.0) discard;
+  if (cuts.zw != vec2(0.0) && dot(place - to, cuts.zw) >= 0.0) discard;
+
+  vec2 way = to - from;
+  float size = length(way);
+  vec2 along = size < 0.01 ? vec2(1.0, 0.0) : way / size;
+  vec2 offset = place - from;
+  float run = dot(offset, along);
+  float across = dot(offset, vec2(-along.y, along.x));
+  float beyond = max(max(-run, run - size), 0.0);
+  float away = length(vec2(beyond, across));
+  float coverage = clamp(halfWidth - away + 0.5, 0.0, 1.0) -
+                   clamp(-halfWidth - away + 0.5, 0.0, 1.0);
+  if (dash.x > 0.0) {
+    float middle = patternStart + run - 0.5 * dash.x + 0.5 * dash.y;
+    float gap = abs(mod(middle, dash.y) - 0.5 * dash.y) - 0.5 * dash.x;
+    coverage *= clamp(0.5 - gap, 0.0, 1.0);
+  }
+  if (coverage < least) discard;
+  outColour = vec4(mix(colour.rgb, ground, fade * far), colour.a * coverage);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// One instance is a sign of fixed size at a place.
+#version 330 core
+layout(location = 0) in vec4 place;
+
+uniform mat4 toClip;
+uniform vec4 rectangle;
+uniform vec2 target;
+uniform vec4 depthPlane;
+uniform float nearest;
+uniform float lift;
+uniform vec2 offset;   // pixels, y down
+uniform float reach;   // pixels from the middle that the sign may cover
+
+flat out vec2 middle;
+flat out float far;
+
+void main() {
+  middle = vec2(0.0);
+  far = 0.0;
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  vec4 clip = toClip * vec4(place.xyz, 1.0);
+  if (clip.w <= nearest) return;
+  middle = rectangle.xy + offset +
+           rectangle.zw * (vec2(0.5) + vec2(0.5, -0.5) * clip.xy / clip.w);
+  far = clamp(dot(depthPlane, vec4(place.xyz, 1.0)), 0.0, 1.0);
+  vec2 side = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, gl_VertexID < 2 ? -1.0 : 1.0);
+  vec2 corner = middle + side * reach;
+  float depth = clamp(clip.z / clip.w - lift, -1.0, 1.0);
+  gl_Position = vec4(2.0 * corner.x / target.x - 1.0, 1.0 - 2.0 * corner.y / target.y, depth, 1.0);
+}

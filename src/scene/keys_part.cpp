@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Crosses of the keys, marks of the selected ones, their numbers, thinned where they are dense.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "scene/viewport_parts.hpp"
+
+namespace vides {
+namespace {
+
+constexpr double kCrossRadius = 7.0, kCurrentRadius = 8.0, kSelectedRadius = 9.5;
+constexpr double kHoverStep = 1.5;
+// Crosses nearer to each other than this cannot be told apart.
+constexpr double kDenseCell = 5.0;
+constexpr std::size_t kMostNumbers = 250;
+
+// A map of what a cross has already been drawn in.
+class Density {
+ public:
+  Density(const PixelRectangle& area, double cell) : area_(area), cell_(cell) {
+    columns_ = static_cast<std::size_t>(area.width / cell) + 3;
+    const std::size_t rows = static_cast<std::size_t>(area.height / cell) + 3;
+    taken_.assign(columns_ * rows, false);
+  }
+  // True for the first in a cell. The pixel lies in the area, or less than a cell outside.
+  bool take(const Vec2& pixel) {
+    const auto x = static_cast<std::size_t>((pixel.x - area_.x) / cell_ + 1.0);
+    const auto y = static_cast<std::size_t>((pixel.y - area_.y) / cell_ + 1.0);
+    const std::size_t at = y * columns_ + x;
+    if (at >= taken_.size() || taken_[at]) return false;
+    taken_[at] = true;
+    return true;
+  }
+
+ private:
+  PixelRectangle area_;
+  double cell_;
+  std::size_t columns_ = 0;
+  std::vector<bool> taken_;
+};
+
+}  // namespace
+
+bool ViewportContext::sees(const Vec2& pixel, double margin) const {
+  const PixelRectangle& r = view().pixels();
+  return pixel.x >= r.x - margin && pixel.y >= r.y - margin && pixel.x <= r.x + r.width + margin &&
+         pixel.y <= r.y + r.height + margin;
+}
+
+void KeysPart::find(const ViewportContext& context) {
+  seen_.clear();
+  if (!context.input.shown.keys) return;
+  std::size_t index = 0;
+  context.flight().keys.forEach([&](const Key& key) {
+    const auto pixel = context.view().project(key.position);
+    if (pixel && context.sees(*pixel, 0.0)) {
+      seen_.push_back({index, *pixel});
+      context.list.handles.push_back(
+          {{HandleKind::kKey, index, 0, Axis::X}, *pixel, 10.0 * context.scale()});
+    }
+    ++index;
+  });
+  for (const Place& place : seen_) {
+    const Vec2 half{5.0 * context.scale()};
+    context.labels.blockBox(place.pixel - half, place.pixel + half, kBlockedByMark);
+  }
+}
+
+void KeysPart::addCrosses(const ViewportContext& context) {
+  if (!context.input.shown.keys) return;
+  const auto& keys = context.flight().keys;
+  const std::size_t current = context.input.state.current.key;
+  Density density(context.view().pixels(), kDenseCell * context.scale());
+  std::vector<GeometryPoint> points;
+  for (const Place& place : seen_) {
+    if (place.key == current || !density.take(place.pixel)) continue;
+    points.push_back(geometryPoint(keys[place.key].position));
+  }
+  DrawItem item;
+  item.depth = DrawDepth::kOnTop;
+  item.geometry = crosses_.keep(Primitive::kMarkers, std::move(points));
+  item.style = MarkerStyle{MarkerShape::kCross, context.colour(ColourRole::kKey), kNoColour,
+                           context.pixels(kCrossRadius), context.pixels(1.7)};
+  context.list.items.push_back(item);
+  addMarks(context);
+}
+
+void KeysPart::addMarks(const ViewportContext& context) {
+  const auto& keys = context.flight().keys;
+  const auto& state = context.input.state;
+  DrawItem item;
+  item.depth = DrawDepth::kOnTop;
+
+  std::vector<GeometryPoint> points;
+  if (state.selected.size() > 1 ||
+      (!state.selected.empty() && state.selected.front() != state.current.key)) {
+    for (const std::size_t key : state.selected) {
+      if (key < keys.size()) points.push_back(geometryPoint(keys[key].position));
+    }
+  }
+  item.geometry = selected_.keep(Primitive::kMarkers, std::move(points));
+  item.style = MarkerStyle{MarkerShape::kSquare, context.colour(ColourRole::kKeySelected),
+                           kNoColour, context.pixels(kSelectedRadius), context.pixels(1.2)};
+  context.list.items.push_back(item);
+
+  const auto addCross = [&](GeometrySlot& slot, std::size_t key, ColourRole role, double radius,
+                            double width) {
+    item.geometry = slot.keep(Primitive::kMarkers, {geometryPoint(keys[key].position)});
+    item.style = MarkerStyle{MarkerShape::kCross, context.colour(role), kNoColour,
+                             context.pixels(radius), context.pixels(width)};
+    context.list.items.push_back(item);
+  };
+  const bool currentHovered = context.hovered({HandleKind::kKey, state.current.key, 0, Axis::X});
+  addCross(current_, state.current.key, ColourRole::kAccent,
+           kCurrentRadius + (currentHovered ? kHoverStep : 0.0), 2.2);
+  if (!state.hovered || state.hovered->kind != HandleKind::kKey || currentHovered) return;
+  if (state.hovered->key >= keys.size()) return;
+  addCross(hovered_, state.hovered->key, ColourRole::kKey, kCrossRadius + kHoverStep, 2.2);
+}
+
+void KeysPart::addNumber(const ViewportContext& context, const Place& place, bool current) const {
+  const std::string text = std::to_string(place.key + 1);
+  const Vec2 size{static_cast<double>(text.size()) * context.input.text.digitWidth,
+                  context.input.text.lineHeight};
+  const auto pixel = context.labels.place(place.pixel, 9.0 * context.scale(), size, current);
+  if (!pixel) return;
+  const ColourRole role = current ? ColourRole::kAccent : ColourRole::kKey;
+  context.list.texts.push_back({text, *pixel, context.colour(role), current});
+}
+
+void KeysPart::addNumbers(const ViewportContext& context) const {
+  if (!context.input.shown.keys || !context.input.shown.numbers) return;
+  const std::size_t current = context.input.state.current.key;
+  for (const Place& place : seen_) {
+    if (place.key == current) addNumber(context, place, true);
+  }
+  // Of many every 10th, 100th, … and the first.
+  std::size_t step = 1;
+  while (seen_.size() / step > kMostNumbers) step *= 10;
+  for (const Place& place : seen_) {
+    const bool counts = step == 1 || place.key == 0 || (place.key + 1) % step == 0;
+    if (place.key != current && counts) addNumber(context, place, false);
+  }
+}
+
+}  // namespace vides

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The parts that a viewport's list is made of. Each keeps the geometry that it hands out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scene/cube_part.hpp"
+#include "scene/curve_flattener.hpp"
+#include "scene/draw_list.hpp"
+#include "scene/geometry_slot.hpp"
+#include "scene/label_placer.hpp"
+#include "scene/viewport_scene.hpp"
+
+namespace vides {
+
+// What all parts are made from, and what they add to.
+struct ViewportContext {
+  const ViewportInput& input;
+  DrawList& list;
+  LabelPlacer& labels;
+
+  const ViewProjection& view() const { return list.view; }
+  const Flight& flight() const { return input.evaluation.flight(); }
+  const Colour& colour(ColourRole role) const { return input.theme[role]; }
+  double scale() const { return input.contentScale; }
+  float pixels(double atScale1) const { return static_cast<float>(atScale1 * scale()); }
+  bool hovered(const HandleId& id) const { return input.state.hovered == id; }
+  // Whether a pixel lies in the rectangle, or at most `margin` outside.
+  bool sees(const Vec2& pixel, double margin) const;
+};
+
+inline ColourRole roleOf(Axis axis) {
+  return static_cast<ColourRole>(static_cast<int>(ColourRole::kAxisX) + static_cast<int>(axis));
+}
+
+// The curve, the current section's piece of it in its own colour.
+class CurvePart {
+ public:
+  void add(const ViewportContext& context);
+  const CurveFlattener& flattener() const { return flattener_; }
+
+ private:
+  void block(const ViewportContext& context) const;
+  CurveFlattener flattener_;
+};
+
+// Crosses and their numbers.
+class KeysPart {
+ public:
+  // Where the crosses are; crosses, handles and numbers are added in this order, so that labels of
+  // others can be placed between.
+  void find(const ViewportContext& context);
+  void addCrosses(const ViewportContext& context);
+  void addNumbers(const ViewportContext& context) const;
+
+ private:
+  struct Place {
+    std::size_t key;
+    Vec2 pixel;
+  };
+  void addMarks(const ViewportContext& context);
+  void addNumber(const ViewportContext& context, const Place& place, bool current) const;
+
+  std::vector<Place> seen_;
+  GeometrySlot crosses_, selected_, current_, hovered_;
+};
+
+// The current orientation's VPN and VUP with their handles.
+class AimPart {
+ public:
+  void add(const ViewportContext& context);
+
+ private:
+  void addAim(const ViewportContext& context, const Vec3& key, const Vec3& aim);
+  void addUp(const ViewportContext& context, const Camera& camera);
+  void addCircle(const ViewportContext& context, const Camera& camera, const Vec3& tip);
+
+  GeometrySlot aimLine_, aimRing_, edgeRing_, upLine_, upRing_, circle_;
+};
+
+// Ghost cameras along the flight, and the playhead's camera.
+class CamerasPart {
+ public:
+  void add(const ViewportContext& context);
+
+ private:
+  void findGhosts(const ViewportContext& context);
+  void addPlayhead(const ViewportContext& context);
+
+  Evaluation evaluation_;  // of which the ghosts are
+  std::int64_t every_ = 0;
+  std::vector<Camera> ghosts_;
+  double ghostSize_ = 0.0;
+  SharedGeometry ghostGeometry_;
+  GeometrySlot playhead_, dot_;
+};
+
+// What a drag shows, the plane squares, and the triad.
+class DragPart {
+ public:
+  void addPlanes(const ViewportContext& context);
+  void addSquares(const ViewportContext& context);
+  void addTriad(const ViewportContext& context);
+
+ private:
+  void addPlane(const ViewportContext& context, Axis constant, const Vec3& point);
+  void addCursor(const ViewportContext& context, const Vec3& point);
+
+  GeometrySlot fill_, outline_;
+  std::array<GeometrySlot, 3> axes_, squares_, squareFills_, triad_;
+};
+
+}  // namespace vides

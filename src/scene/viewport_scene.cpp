@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Puts the viewport's parts together, and finds what lies under the pointer.
+#include "scene/viewport_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/viewport_parts.hpp"
+
+namespace vides {
+
+struct ViewportScene::Parts {
+  DrawList list;
+  Evaluation evaluation;
+  CubePart cube;
+  ScenePart scene;
+  CurvePart curve;
+  KeysPart keys;
+  AimPart aim;
+  CamerasPart cameras;
+  DragPart drag;
+};
+
+ViewportScene::ViewportScene() : parts_(std::make_unique<Parts>()) {}
+ViewportScene::~ViewportScene() = default;
+ViewportScene::ViewportScene(ViewportScene&&) noexcept = default;
+ViewportScene& ViewportScene::operator=(ViewportScene&&) noexcept = default;
+
+const DrawList& ViewportScene::build(const ViewportInput& input) {
+  Parts& p = *parts_;
+  DrawList& list = p.list;
+  p.evaluation = input.evaluation;
+  list.view = viewProjection(input.view, input.rectangle);
+  list.groundTop = input.theme[ColourRole::kViewportTop];
+  list.groundBottom = input.theme[ColourRole::kViewportBottom];
+  list.items.clear();
+  list.texts.clear();
+  list.handles.clear();
+
+  const PixelRectangle& r = list.view.pixels();
+  const Margins& m = input.margins;
+  const PixelRectangle free{r.x + m.left, r.y + m.top, std::max(1.0, r.width - m.left - m.right),
+                            std::max(1.0, r.height - m.top - m.bottom)};
+  LabelPlacer labels(free, 4.0 * input.contentScale);
+  const ViewportContext context{input, list, labels};
+  if (input.shown.cube) p.cube.add(list, input.theme, input.contentScale);
+  if (input.shown.scene) {
+    p.scene.add(list, input.scene, context.flight().space, input.shown.sceneAsPoints, input.theme,
+                input.contentScale);
+  }
+  p.cameras.add(context);
+  p.curve.add(context);
+  p.drag.addPlanes(context);
+  // Marks block before any label is placed.
+  p.keys.find(context);
+  p.drag.addSquares(context);
+  p.aim.add(context);
+  p.keys.addCrosses(context);
+  p.keys.addNumbers(context);
+  p.drag.addTriad(context);
+  return list;
+}
+
+std::optional<CurveHit> ViewportScene::nearestOnCurve(const Vec2& pixel, double reach) const {
+  const auto near = parts_->curve.flattener().nearest(pixel, reach);
+  if (!near) return std::nullopt;
+  const Evaluation& evaluation = parts_->evaluation;
+  // The evaluator leads from the fraction of the length to the parameter: halve for the way back.
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (evaluation.pieceParameter(near->piece, middle) < near->parameter ? low : high) = middle;
+  }
+  return CurveHit{near->piece, near->parameter, 0.5 * (low + high),
+                  evaluation.piece(near->piece).point(near->parameter), near->distance};
+}
+
+std::optional<HandleId> handleAt(const DrawList& list, const Vec2& pixel, std::size_t currentKey,
+                                 double contentScale) {
+  const auto distance = [&](const Handle& handle) { return glm::distance(handle.pixel, pixel); };
+  const Handle* nearest = nullptr;
+  for (const Handle& handle : list.handles) {
+    if (distance(handle) > handle.radius) continue;
+    if (nearest == nullptr || distance(handle) < distance(*nearest)) nearest = &handle;
+  }
+  if (nearest == nullptr) return std::nullopt;
+  if (nearest->id.key == currentKey) return nearest->id;
+  const Handle* preferred = nearest;
+  for (const Handle& handle : list.handles) {
+    if (handle.id.key != currentKey || distance(handle) > handle.radius) continue;
+    if (distance(handle) > distance(*nearest) + 3.0 * contentScale) continue;
+    if (preferred == nearest || distance(handle) < distance(*preferred)) preferred = &handle;
+  }
+  return preferred->id;
+}
+
+}  // namespace vides
