@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "evaluate/chain.hpp"
+#include "evaluate/record_slab.hpp"
 
 namespace vides {
 namespace {
@@ -62,10 +63,13 @@ EvaluationTree buildWhole(const Flight& flight, const EvaluationTree* reuse) {
     if (k < n) return keys[k];
     return flight.closed ? keys[k - n] : nullptr;
   };
+  const auto slab = std::make_shared<RecordSlab>(n);
   std::vector<FreshRecord> records(n);
   for (std::size_t k = 0; k < n; ++k) {
     const Key* before = k > 0 ? keys[k - 1] : flight.closed ? keys[n - 1] : nullptr;
-    records[k] = makeRecord(flight, before, *keys[k], keyAt(k + 1), keyAt(k + 2), pieces[k]);
+    records[k] = RecordSlab::record(slab, k);
+    fillRecord(*records[k], flight, before, *keys[k], keyAt(k + 1), keyAt(k + 2), pieces[k],
+               RecordSlab::piece(slab, k));
   }
   const EvaluationTree stage1 = treeOf(records);
   const WholeChain chain(stage1, flight, records);
@@ -126,7 +130,10 @@ const Key* Update::keyAt(std::ptrdiff_t k) const {
 
 FreshRecord Update::makeFresh(std::size_t k, const std::shared_ptr<const CurvePiece>& reuse) const {
   const auto i = static_cast<std::ptrdiff_t>(k);
-  return makeRecord(flight_, keyAt(i - 1), *keyAt(i), keyAt(i + 1), keyAt(i + 2), reuse);
+  auto record = std::make_shared<KeyRecord>();
+  fillRecord(*record, flight_, keyAt(i - 1), *keyAt(i), keyAt(i + 1), keyAt(i + 2), reuse,
+             std::make_shared<CurvePiece>());
+  return record;
 }
 
 void Update::remake(std::size_t first, std::size_t last, std::size_t oldCount) {
@@ -135,7 +142,7 @@ void Update::remake(std::size_t first, std::size_t last, std::size_t oldCount) {
   records.reserve(last - first);
   for (std::size_t k = first; k < last; ++k) {
     FreshRecord record = makeFresh(k, sameKeys ? tree_[k]->piece : nullptr);
-    records.push_back(record);
+    records.emplace_back(record);
     fresh_.emplace_back(k, std::move(record));
   }
   tree_.replace(first, oldCount, records);
@@ -182,7 +189,7 @@ void Update::store() {
     const std::size_t first = fresh_[i].first;
     std::vector<RecordPointer> run;
     while (i < fresh_.size() && fresh_[i].first == first + run.size()) {
-      run.push_back(std::move(fresh_[i++].second));
+      run.emplace_back(std::move(fresh_[i++].second));
     }
     tree_.replace(first, run.size(), run);
   }

@@ -8,6 +8,7 @@
 
 #include "evaluate/builder.hpp"
 #include "evaluate/evaluation_state.hpp"
+#include "flight/fetch.hpp"
 #include "math/quaternion.hpp"
 
 namespace vides {
@@ -37,15 +38,21 @@ struct FramePlace {
   std::int64_t entry = 0;  // of the hold or section
   std::int64_t step = 0;   // from its first frame
   bool inHold = false;
+  const KeyRecord* record = nullptr;
 };
 
 FramePlace findFrame(const EvaluationTree& tree, std::int64_t n) {
-  const auto found = tree.find([&](const RecordSummary& sum) { return sum.frames > n; });
+  const auto found = tree.findIndex(n);
   FramePlace at;
   at.place.key = found.index;
   at.entry = found.before.entries;
   std::int64_t left = n - found.before.frames;
-  for (const SectionRecord& s : (*found.item)->sections) {
+  const KeyRecord& record = **found.item;
+  at.record = &record;
+  fetch(found.item->piece(), sizeof(CurvePiece));
+  fetch(&record, sizeof(KeyRecord));
+  while (true) {
+    const SectionRecord& s = record.sections[at.place.orientation];
     if (left < s.holdFrames) {
       at.step = left;
       at.inHold = true;
@@ -189,7 +196,7 @@ Frame Evaluation::frame(std::int64_t n) const {
     return frame;
   }
   const FramePlace at = findFrame(tree, n);
-  const KeyRecord& record = *tree[at.place.key];
+  const KeyRecord& record = *at.record;
   const SectionRecord& s = record.sections[at.place.orientation];
   frame.section = at.entry;
   if (at.inHold) {
@@ -209,7 +216,8 @@ Section Evaluation::section(std::int64_t index) const {
       state_->tree.find([&](const RecordSummary& sum) { return sum.entries > index; });
   std::int64_t left = index - found.before.entries;
   OrientationPlace place{found.index, 0};
-  for (const SectionRecord& s : (*found.item)->sections) {
+  while (true) {
+    const SectionRecord& s = (*found.item)->sections[place.orientation];
     if (s.holdFrames > 0 && left-- == 0) {
       return entryBefore(state_->chain(), state_->tree, place, true);
     }

@@ -74,8 +74,8 @@ void setDifferences(const Flight& flight, const KeyRecord& record, bool keysDiff
 
 std::shared_ptr<const CurvePiece> makePiece(const Flight& flight, const Key* before, const Key& key,
                                             const Key& next, const Key* afterNext,
-                                            const std::shared_ptr<const CurvePiece>& reuse) {
-  auto piece = std::make_shared<CurvePiece>();
+                                            const std::shared_ptr<const CurvePiece>& reuse,
+                                            const std::shared_ptr<CurvePiece>& piece) {
   piece->curve = kochanekBartelsSegment(before ? &before->position : nullptr, key.position,
                                         shapeOf(flight, key), next.position, shapeOf(flight, next),
                                         afterNext ? &afterNext->position : nullptr);
@@ -90,17 +90,17 @@ std::shared_ptr<const CurvePiece> makePiece(const Flight& flight, const Key* bef
 
 }  // namespace
 
-std::shared_ptr<KeyRecord> makeRecord(const Flight& flight, const Key* before, const Key& key,
-                                      const Key* next, const Key* afterNext,
-                                      const std::shared_ptr<const CurvePiece>& reuse) {
-  auto record = std::make_shared<KeyRecord>();
-  record->position = key.position;
-  if (next) record->piece = makePiece(flight, before, key, *next, afterNext, reuse);
+void fillRecord(KeyRecord& record, const Flight& flight, const Key* before, const Key& key,
+                const Key* next, const Key* afterNext,
+                const std::shared_ptr<const CurvePiece>& reuse,
+                const std::shared_ptr<CurvePiece>& piece) {
+  record.position = key.position;
+  if (next) record.piece = makePiece(flight, before, key, *next, afterNext, reuse, piece);
   const std::size_t count = key.orientations.size();
-  record->sections.resize(count);
+  record.sections.resize(count);
   for (std::size_t j = 0; j < count; ++j) {
     const Orientation& a = key.orientations[j];
-    SectionRecord& s = record->sections[j];
+    SectionRecord& s = record.sections[j];
     s.q = orientationOf(key, a);
     s.zoom = s.zoomEnd = a.zoom;
     s.roll = a.roll;
@@ -110,12 +110,11 @@ std::shared_ptr<KeyRecord> makeRecord(const Flight& flight, const Key* before, c
     s.qEnd = s.q;
     s.positionEnd = key.position;
     if (j + 1 < count) {
-      setDifferences(flight, *record, false, key, a, key, key.orientations[j + 1], s);
+      setDifferences(flight, record, false, key, a, key, key.orientations[j + 1], s);
     } else if (next) {
-      setDifferences(flight, *record, true, key, a, *next, next->orientations.front(), s);
+      setDifferences(flight, record, true, key, a, *next, next->orientations.front(), s);
     }
   }
-  return record;
 }
 
 void setSpeed(SectionRecord& s, std::optional<double> before, std::optional<double> after) {
@@ -128,7 +127,8 @@ void setSpeed(SectionRecord& s, std::optional<double> before, std::optional<doub
 
 RecordSummary RecordSummary::of(const RecordPointer& record) {
   RecordSummary sum;
-  for (const SectionRecord& s : record->sections) {
+  for (std::size_t j = 0; j < record->sections.size(); ++j) {
+    const SectionRecord& s = record->sections[j];
     ++sum.orientations;
     sum.holdFrames += s.holdFrames;
     sum.frames += s.holdFrames;
@@ -142,12 +142,6 @@ RecordSummary RecordSummary::of(const RecordPointer& record) {
     sum.signs = sum.signs.then(SignMap::of(s.link));
   }
   return sum;
-}
-
-RecordSummary RecordSummary::operator+(const RecordSummary& o) const {
-  return {frames + o.frames,         entries + o.entries,           sections + o.sections,
-          holdFrames + o.holdFrames, orientations + o.orientations, length + o.length,
-          signs.then(o.signs)};
 }
 
 }  // namespace vides

@@ -82,14 +82,45 @@ struct SectionRecord {
   bool signsDependOnChain = false;
 };
 
+// The sections of one key. Most keys have one orientation: that lies in the record itself, so that
+// looking up a frame in a long flight waits for memory less often.
+class SectionList {
+ public:
+  std::size_t size() const { return 1 + more_.size(); }
+  SectionRecord& operator[](std::size_t j) { return j == 0 ? first_ : more_[j - 1]; }
+  const SectionRecord& operator[](std::size_t j) const { return j == 0 ? first_ : more_[j - 1]; }
+  // size >= 1.
+  void resize(std::size_t size) { more_.resize(size - 1); }
+
+ private:
+  SectionRecord first_;
+  std::vector<SectionRecord> more_;
+};
+
 struct KeyRecord {
   Vec3 position{0.0};
   std::shared_ptr<const CurvePiece> piece;  // null after the last key of an open flight
-  std::vector<SectionRecord> sections;      // one per orientation
+  SectionList sections;                     // one per orientation
 
   double lengthOf(const SectionRecord& s) const {
     return s.kind == SectionKind::kMove ? piece->length : 0.0;
   }
+};
+
+// A shared record, and beside the pointer to it that to its piece: a search waits for both at once.
+class RecordPointer {
+ public:
+  RecordPointer() = default;
+  explicit RecordPointer(std::shared_ptr<const KeyRecord> record)
+      : record_(std::move(record)), piece_(record_->piece.get()) {}
+  const KeyRecord& operator*() const { return *record_; }
+  const KeyRecord* operator->() const { return record_.get(); }
+  const KeyRecord* get() const { return record_.get(); }
+  const CurvePiece* piece() const { return piece_; }
+
+ private:
+  std::shared_ptr<const KeyRecord> record_;
+  const CurvePiece* piece_ = nullptr;
 };
 
 __extension__ typedef __int128 FixedPoint;
@@ -105,20 +136,26 @@ struct RecordSummary {
   FixedPoint length = 0;
   SignMap signs;
 
-  static RecordSummary of(const std::shared_ptr<const KeyRecord>& record);
-  RecordSummary operator+(const RecordSummary& o) const;
+  static RecordSummary of(const RecordPointer& record);
+  RecordSummary operator+(const RecordSummary& o) const {
+    return {frames + o.frames,         entries + o.entries,           sections + o.sections,
+            holdFrames + o.holdFrames, orientations + o.orientations, length + o.length,
+            signs.then(o.signs)};
+  }
+  std::int64_t index() const { return frames; }
 };
 
-using RecordPointer = std::shared_ptr<const KeyRecord>;
 class EvaluationTree : public SharedSequence<RecordPointer, RecordSummary> {
  public:
   using SharedSequence::SharedSequence;
 };
 
-// Stage 1 of key k. `reuse` is a piece that may be taken over if its curve is the same, or null.
-std::shared_ptr<KeyRecord> makeRecord(const Flight& flight, const Key* before, const Key& key,
-                                      const Key* next, const Key* afterNext,
-                                      const std::shared_ptr<const CurvePiece>& reuse);
+// Stage 1 of a key's record, in a fresh `record`, from the key and its neighbours (null beyond the
+// flight's ends). Its piece is `reuse`, if that has the same curve, else made in `piece`.
+void fillRecord(KeyRecord& record, const Flight& flight, const Key* before, const Key& key,
+                const Key* next, const Key* afterNext,
+                const std::shared_ptr<const CurvePiece>& reuse,
+                const std::shared_ptr<CurvePiece>& piece);
 // Stage 2.
 void setSpeed(SectionRecord& section, std::optional<double> before, std::optional<double> after);
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,6 +83,7 @@ struct KeySummary {
   std::size_t orientations = 0;
   static KeySummary of(const KeyPointer& key) { return {key->orientations.size()}; }
   KeySummary operator+(const KeySummary& o) const { return {orientations + o.orientations}; }
+  std::int64_t index() const { return static_cast<std::int64_t>(orientations); }
 };
 
 // The keys of a flight in order. Copies are O(1), edits O(log n).

@@ -6,18 +6,24 @@
 // running sums of a Summary, so that "the item in which the sum reaches x" is found in O(log n).
 // Any number of threads may read copies at the same time.
 //
-// Summary is an associative sum: a default constructor (the neutral element), operator+ and
-// static Summary of(const T&). The tree's shape depends on the history of edits, so operator+ must
+// Summary is an associative sum: a default constructor (the neutral element), operator+, static
+// Summary of(const T&), and std::int64_t index() const, a part of the sum that is never negative
+// and by which items are found. The tree's shape depends on the history of edits, so operator+ must
 // be associative bit for bit (integers, not doubles).
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "flight/fetch.hpp"
 
 namespace vides {
 
@@ -25,38 +31,41 @@ template <class T, class Summary>
 class SharedSequence {
  public:
   SharedSequence() = default;
-  explicit SharedSequence(std::vector<T> items) { build(std::move(items)); }
+  explicit SharedSequence(std::span<const T> items) { build(items); }
+  explicit SharedSequence(const std::vector<T>& items) { build(items); }
 
-  std::size_t size() const { return root_ ? root_->size() : 0; }
+  std::size_t size() const { return root_ ? sizeOf(*root_) : 0; }
   bool empty() const { return size() == 0; }
 
   // i < size().
   const T& operator[](std::size_t i) const {
     assert(i < size());
     const Node* node = root_.get();
-    while (!node->isLeaf()) {
-      const std::size_t c = node->childOf(i);
-      i -= node->starts[c];
-      node = node->children[c].get();
+    while (!node->leaf) {
+      const Inner& inner = innerOf(*node);
+      const std::size_t c = inner.childOf(i);
+      i -= inner.starts[c];
+      node = inner.children[c].get();
     }
-    return node->items[i];
+    return leafOf(*node).slots[i].item;
   }
   const T& front() const { return (*this)[0]; }
   const T& back() const { return (*this)[size() - 1]; }
 
-  Summary summary() const { return root_ ? root_->total() : Summary{}; }
+  Summary summary() const { return root_ ? root_->total : Summary{}; }
   // The sum over the items [0, i); i <= size().
   Summary summaryBefore(std::size_t i) const {
     assert(i <= size());
     Summary sum;
     const Node* node = root_.get();
     while (node != nullptr) {
-      if (i >= node->size()) return sum + node->total();
-      const std::size_t c = node->isLeaf() ? i : node->childOf(i);
-      sum = sum + node->before[c];
-      if (node->isLeaf()) break;
-      i -= node->starts[c];
-      node = node->children[c].get();
+      if (i >= sizeOf(*node)) return sum + node->total;
+      if (node->leaf) return sum + leafOf(*node).before[i];
+      const Inner& inner = innerOf(*node);
+      const std::size_t c = inner.childOf(i);
+      sum = sum + inner.before[c];
+      i -= inner.starts[c];
+      node = inner.children[c].get();
     }
     return sum;
   }
@@ -70,25 +79,31 @@ class SharedSequence {
   // true.
   template <class Predicate>
   Found find(Predicate reached) const {
-    Found found;
-    const Node* node = root_.get();
-    if (node == nullptr || !reached(node->total())) return {size(), summary(), nullptr};
-    Summary base;
-    while (true) {
-      const auto first = node->before.begin() + 1;
-      const auto at = std::partition_point(first, node->before.end() - 1,
-                                           [&](const Summary& s) { return !reached(base + s); });
-      const auto c = static_cast<std::size_t>(at - first);
-      base = base + node->before[c];
-      if (node->isLeaf()) {
-        found.index += c;
-        found.before = base;
-        found.item = &node->items[c];
-        return found;
-      }
-      found.index += node->starts[c];
-      node = node->children[c].get();
-    }
+    if (!root_ || !reached(root_->total)) return {size(), summary(), nullptr};
+    return descend([&](const Node& node, const Summary& base) {
+      const auto& before = node.leaf ? leafOf(node).before : innerOf(node).before;
+      const auto first = before.begin() + 1;
+      const auto last = before.begin() + static_cast<std::ptrdiff_t>(node.width);
+      const auto at =
+          std::partition_point(first, last, [&](const Summary& s) { return !reached(base + s); });
+      return static_cast<std::size_t>(at - first);
+    });
+  }
+  // The first item i at which the index() of the sum over [0, i] is greater than `value`; the same
+  // as find, but reads little memory.
+  Found findIndex(std::int64_t value) const {
+    if (!root_ || !(root_->total.index() > value)) return {size(), summary(), nullptr};
+    return descend([value](const Node& node, const Summary& base) {
+      const std::int64_t rest = value - base.index();
+      const auto search = [&](const auto& list, auto index) {
+        const auto last = list.begin() + static_cast<std::ptrdiff_t>(node.width);
+        const auto at = std::partition_point(
+            list.begin() + 1, last, [&](const auto& entry) { return index(entry) <= rest; });
+        return static_cast<std::size_t>(at - list.begin()) - 1;
+      };
+      return node.leaf ? search(leafOf(node).slots, [](const Slot& slot) { return slot.index; })
+                       : search(innerOf(node).index, [](std::int64_t i) { return i; });
+    });
   }
 
   // i < size().
@@ -100,18 +115,23 @@ class SharedSequence {
   void insert(std::size_t i, T item) {
     assert(i <= size());
     if (!root_) {
-      root_ = makeLeaf({std::move(item)});
+      root_ = makeNode(std::span<const T>(&item, 1));
       return;
     }
     auto [left, right] = inserted(*root_, i, std::move(item));
-    root_ = right ? makeInner({std::move(left), std::move(right)}) : std::move(left);
+    if (right) {
+      const NodePointer both[] = {std::move(left), std::move(right)};
+      root_ = makeNode(std::span<const NodePointer>(both));
+    } else {
+      root_ = std::move(left);
+    }
   }
   // i < size().
   void erase(std::size_t i) {
     assert(i < size());
     root_ = erased(*root_, i);
-    while (root_ && !root_->isLeaf() && root_->children.size() == 1) {
-      root_ = NodePointer(root_->children[0]);
+    while (root_ && !root_->leaf && root_->width == 1) {
+      root_ = NodePointer(innerOf(*root_).children[0]);
     }
   }
   // Replaces `count` items from `first` on by `items`.
@@ -123,7 +143,7 @@ class SharedSequence {
       forEach(0, first, [&](const T& item) { all.push_back(item); });
       all.insert(all.end(), items.begin(), items.end());
       forEach(first + count, size(), [&](const T& item) { all.push_back(item); });
-      build(std::move(all));
+      build(all);
       return;
     }
     const std::size_t common = std::min(count, items.size());
@@ -172,150 +192,200 @@ class SharedSequence {
   static constexpr std::size_t kMost = 32;  // items in a leaf, children of an inner node
   static constexpr std::size_t kLeast = 8;
 
-  struct Node;
-  using NodePointer = std::shared_ptr<const Node>;
+  // Nodes keep everything in place, what a search reads first and close together: looking up an
+  // item in a long sequence is waiting for memory, line after line.
   struct Node {
-    std::vector<T> items;               // a leaf's
-    std::vector<NodePointer> children;  // an inner node's
-    std::vector<std::size_t> starts;    // of the children, and one past the last
-    std::vector<Summary> before;        // sums before each item or child, and the total
+    std::size_t width = 0;  // items or children
+    bool leaf = true;
+    Summary total;
+  };
+  using NodePointer = std::shared_ptr<const Node>;
+  struct Slot {
+    std::int64_t index = 0;  // index() of the sum before the item
+    T item{};
+  };
+  struct Leaf : Node {
+    std::array<Slot, kMost> slots{};
+    std::array<Summary, kMost> before{};  // sums before each item
+  };
+  struct Inner : Node {
+    std::array<std::int64_t, kMost> index{};      // index() of the sum before each child
+    std::array<std::size_t, kMost + 1> starts{};  // of the children, and one past the last
+    std::array<NodePointer, kMost> children{};
+    std::array<Summary, kMost> before{};  // sums before each child
 
-    bool isLeaf() const { return children.empty(); }
-    std::size_t size() const { return isLeaf() ? items.size() : starts.back(); }
-    std::size_t width() const { return isLeaf() ? items.size() : children.size(); }
-    const Summary& total() const { return before.back(); }
     std::size_t childOf(std::size_t i) const {
-      const auto at = std::upper_bound(starts.begin() + 1, starts.end() - 1, i);
+      const auto last = starts.begin() + static_cast<std::ptrdiff_t>(this->width);
+      const auto at = std::upper_bound(starts.begin() + 1, last, i);
       return static_cast<std::size_t>(at - starts.begin()) - 1;
     }
   };
-
-  static NodePointer makeLeaf(std::vector<T> items) {
-    auto node = std::make_shared<Node>();
-    node->before.reserve(items.size() + 1);
-    node->before.emplace_back();
-    for (const T& item : items) node->before.push_back(node->before.back() + Summary::of(item));
-    node->items = std::move(items);
-    return node;
+  static const Leaf& leafOf(const Node& node) { return static_cast<const Leaf&>(node); }
+  static const Inner& innerOf(const Node& node) { return static_cast<const Inner&>(node); }
+  static std::size_t sizeOf(const Node& node) {
+    return node.leaf ? node.width : innerOf(node).starts[node.width];
   }
-  static NodePointer makeInner(std::vector<NodePointer> children) {
-    auto node = std::make_shared<Node>();
-    node->before.reserve(children.size() + 1);
-    node->starts.reserve(children.size() + 1);
-    node->before.emplace_back();
-    node->starts.push_back(0);
-    for (const NodePointer& child : children) {
-      node->before.push_back(node->before.back() + child->total());
-      node->starts.push_back(node->starts.back() + child->size());
+  static std::span<const Slot> slotsOf(const Node& node) {
+    return std::span(leafOf(node).slots).first(node.width);
+  }
+  static std::span<const NodePointer> childrenOf(const Node& node) {
+    return std::span(innerOf(node).children).first(node.width);
+  }
+
+  // `choose`(node, sum before the node) is the child or item to go to.
+  template <class Choose>
+  Found descend(Choose choose) const {
+    Found found;
+    const Node* node = root_.get();
+    while (true) {
+      const std::size_t c = choose(*node, found.before);
+      if (node->leaf) {
+        found.item = &leafOf(*node).slots[c].item;
+        found.before = found.before + leafOf(*node).before[c];
+        found.index += c;
+        return found;
+      }
+      const Inner& inner = innerOf(*node);
+      node = inner.children[c].get();
+      fetch(node, sizeof(Node) + kMost * sizeof(Slot));
+      found.before = found.before + inner.before[c];
+      found.index += inner.starts[c];
     }
-    node->children = std::move(children);
+  }
+  template <class Item>
+  static NodePointer makeNode(std::span<const Item> items) {
+    auto node = std::make_shared<Leaf>();
+    for (const Item& item : items) {
+      const std::size_t i = node->width++;
+      node->slots[i].index = node->total.index();
+      if constexpr (std::is_same_v<Item, Slot>) {
+        node->slots[i].item = item.item;
+      } else {
+        node->slots[i].item = item;
+      }
+      node->before[i] = node->total;
+      node->total = node->total + Summary::of(node->slots[i].item);
+    }
+    return node;
+  }
+  static NodePointer makeNode(std::span<const NodePointer> children) {
+    auto node = std::make_shared<Inner>();
+    node->leaf = false;
+    for (const NodePointer& child : children) {
+      const std::size_t i = node->width++;
+      node->index[i] = node->total.index();
+      node->starts[i + 1] = node->starts[i] + sizeOf(*child);
+      node->children[i] = child;
+      node->before[i] = node->total;
+      node->total = node->total + child->total;
+    }
     return node;
   }
 
-  void build(std::vector<T> items) {
+  // The nodes of one level over all of `parts`, evenly filled.
+  template <class Part>
+  static std::vector<NodePointer> makeLevel(std::span<const Part> parts) {
+    const std::size_t count = (parts.size() + kMost - 1) / kMost;
+    std::vector<NodePointer> level;
+    level.reserve(count);
+    for (std::size_t g = 0; g < count; ++g) {
+      const std::size_t first = g * parts.size() / count;
+      const std::size_t last = (g + 1) * parts.size() / count;
+      level.push_back(makeNode(parts.subspan(first, last - first)));
+    }
+    return level;
+  }
+  void build(std::span<const T> items) {
     root_.reset();
     if (items.empty()) return;
-    std::vector<NodePointer> level;
-    const auto groups = [](std::size_t n) { return (n + kMost - 1) / kMost; };
-    const std::size_t leaves = groups(items.size());
-    for (std::size_t g = 0; g < leaves; ++g) {
-      const auto at = [&](std::size_t k) {
-        return items.begin() + static_cast<std::ptrdiff_t>(k * items.size() / leaves);
-      };
-      level.push_back(
-          makeLeaf({std::make_move_iterator(at(g)), std::make_move_iterator(at(g + 1))}));
-    }
-    while (level.size() > 1) {
-      std::vector<NodePointer> upper;
-      const std::size_t parents = groups(level.size());
-      for (std::size_t g = 0; g < parents; ++g) {
-        const auto at = [&](std::size_t k) {
-          return level.begin() + static_cast<std::ptrdiff_t>(k * level.size() / parents);
-        };
-        upper.push_back(makeInner({at(g), at(g + 1)}));
-      }
-      level = std::move(upper);
-    }
+    std::vector<NodePointer> level = makeLevel(items);
+    while (level.size() > 1) level = makeLevel(std::span<const NodePointer>(level));
     root_ = level.front();
+  }
+
+  // A node's parts as a list that can be edited, and one or two nodes of them again.
+  template <class Part>
+  static std::vector<Part> listOf(std::span<const Part> parts) {
+    std::vector<Part> list;
+    list.reserve(2 * kMost);
+    list.assign(parts.begin(), parts.end());
+    return list;
+  }
+  template <class Part>
+  static std::pair<NodePointer, NodePointer> oneOrTwo(const std::vector<Part>& list) {
+    const std::span<const Part> parts(list);
+    if (parts.size() <= kMost) return {makeNode(parts), nullptr};
+    const std::size_t half = parts.size() / 2;
+    return {makeNode(parts.first(half)), makeNode(parts.subspan(half))};
   }
 
   // The items from i on replaced by `items`, which must fit into the node.
   static NodePointer replaced(const Node& node, std::size_t i, std::span<const T> items) {
-    if (node.isLeaf()) {
-      std::vector<T> all = node.items;
-      std::copy(items.begin(), items.end(), all.begin() + static_cast<std::ptrdiff_t>(i));
-      return makeLeaf(std::move(all));
+    if (node.leaf) {
+      std::array<Slot, kMost> slots = leafOf(node).slots;
+      for (const T& item : items) slots[i++].item = item;
+      return makeNode(std::span<const Slot>(slots).first(node.width));
     }
-    std::vector<NodePointer> children = node.children;
-    for (std::size_t c = node.childOf(i); !items.empty(); ++c) {
-      const std::size_t part = std::min(items.size(), node.starts[c + 1] - i);
-      children[c] = replaced(*children[c], i - node.starts[c], items.first(part));
+    const Inner& inner = innerOf(node);
+    std::array<NodePointer, kMost> children = inner.children;
+    for (std::size_t c = inner.childOf(i); !items.empty(); ++c) {
+      const std::size_t part = std::min(items.size(), inner.starts[c + 1] - i);
+      children[c] = replaced(*children[c], i - inner.starts[c], items.first(part));
       items = items.subspan(part);
       i += part;
     }
-    return makeInner(std::move(children));
-  }
-
-  template <class Items, class Make>
-  static std::pair<NodePointer, NodePointer> splitIfFull(Items items, Make make) {
-    if (items.size() <= kMost) return {make(std::move(items)), nullptr};
-    const auto middle = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
-    Items right(std::make_move_iterator(middle), std::make_move_iterator(items.end()));
-    items.erase(middle, items.end());
-    return {make(std::move(items)), make(std::move(right))};
+    return makeNode(std::span<const NodePointer>(children).first(node.width));
   }
 
   static std::pair<NodePointer, NodePointer> inserted(const Node& node, std::size_t i, T item) {
-    if (node.isLeaf()) {
-      std::vector<T> items = node.items;
-      items.insert(items.begin() + static_cast<std::ptrdiff_t>(i), std::move(item));
-      return splitIfFull(std::move(items), [](std::vector<T> v) { return makeLeaf(std::move(v)); });
+    if (node.leaf) {
+      std::vector<Slot> slots = listOf(slotsOf(node));
+      slots.insert(slots.begin() + static_cast<std::ptrdiff_t>(i), Slot{0, std::move(item)});
+      return oneOrTwo(slots);
     }
-    const std::size_t c = node.childOf(i);
-    auto [left, right] = inserted(*node.children[c], i - node.starts[c], std::move(item));
-    std::vector<NodePointer> children = node.children;
+    const Inner& inner = innerOf(node);
+    const std::size_t c = inner.childOf(i);
+    auto [left, right] = inserted(*inner.children[c], i - inner.starts[c], std::move(item));
+    std::vector<NodePointer> children = listOf(childrenOf(node));
     children[c] = std::move(left);
     if (right) {
       children.insert(children.begin() + static_cast<std::ptrdiff_t>(c) + 1, std::move(right));
     }
-    return splitIfFull(std::move(children),
-                       [](std::vector<NodePointer> v) { return makeInner(std::move(v)); });
+    return oneOrTwo(children);
   }
 
   // Null where nothing is left.
   static NodePointer erased(const Node& node, std::size_t i) {
-    if (node.isLeaf()) {
-      if (node.items.size() == 1) return nullptr;
-      std::vector<T> items = node.items;
-      items.erase(items.begin() + static_cast<std::ptrdiff_t>(i));
-      return makeLeaf(std::move(items));
+    if (node.leaf) {
+      if (node.width == 1) return nullptr;
+      std::vector<Slot> slots = listOf(slotsOf(node));
+      slots.erase(slots.begin() + static_cast<std::ptrdiff_t>(i));
+      return makeNode(std::span<const Slot>(slots));
     }
-    const std::size_t c = node.childOf(i);
-    std::vector<NodePointer> children = node.children;
-    children[c] = erased(*node.children[c], i - node.starts[c]);
+    const Inner& inner = innerOf(node);
+    const std::size_t c = inner.childOf(i);
+    std::vector<NodePointer> children = listOf(childrenOf(node));
+    children[c] = erased(*children[c], i - inner.starts[c]);
     if (!children[c]) {
       children.erase(children.begin() + static_cast<std::ptrdiff_t>(c));
       if (children.empty()) return nullptr;
-    } else if (children[c]->width() < kLeast && children.size() > 1) {
+    } else if (children[c]->width < kLeast && children.size() > 1) {
       joinNeighbours(children, c + 1 < children.size() ? c : c - 1);
     }
-    return makeInner(std::move(children));
+    return makeNode(std::span<const NodePointer>(children));
   }
 
   // Joins the children c and c + 1 and divides them again if they are too many for one node.
   static void joinNeighbours(std::vector<NodePointer>& children, std::size_t c) {
-    const Node& left = *children[c];
-    const Node& right = *children[c + 1];
-    const auto join = [](auto a, const auto& b) {
-      a.insert(a.end(), b.begin(), b.end());
-      return a;
+    const NodePointer left = children[c];
+    const NodePointer right = children[c + 1];
+    const auto join = [](auto a, auto b) {
+      auto list = listOf(a);
+      list.insert(list.end(), b.begin(), b.end());
+      return oneOrTwo(list);
     };
-    auto [first, second] =
-        left.isLeaf()
-            ? splitIfFull(join(left.items, right.items),
-                          [](std::vector<T> v) { return makeLeaf(std::move(v)); })
-            : splitIfFull(join(left.children, right.children),
-                          [](std::vector<NodePointer> v) { return makeInner(std::move(v)); });
+    auto [first, second] = left->leaf ? join(slotsOf(*left), slotsOf(*right))
+                                      : join(childrenOf(*left), childrenOf(*right));
     children[c] = std::move(first);
     const auto next = children.begin() + static_cast<std::ptrdiff_t>(c) + 1;
     if (second) {
@@ -327,14 +397,16 @@ class SharedSequence {
 
   template <class Visit>
   static void visitRange(const Node& node, std::size_t first, std::size_t last, Visit& visit) {
-    if (node.isLeaf()) {
-      for (std::size_t i = first; i < std::min(last, node.items.size()); ++i) visit(node.items[i]);
+    if (node.leaf) {
+      const std::span<const Slot> slots = slotsOf(node);
+      for (std::size_t i = first; i < std::min(last, slots.size()); ++i) visit(slots[i].item);
       return;
     }
-    for (std::size_t c = node.childOf(first); c < node.children.size(); ++c) {
-      const std::size_t start = node.starts[c];
+    const Inner& inner = innerOf(node);
+    for (std::size_t c = inner.childOf(first); c < node.width; ++c) {
+      const std::size_t start = inner.starts[c];
       if (start >= last) break;
-      visitRange(*node.children[c], first > start ? first - start : 0, last - start, visit);
+      visitRange(*inner.children[c], first > start ? first - start : 0, last - start, visit);
     }
   }
 
@@ -350,50 +422,50 @@ class SharedSequence {
   // Nodes over the same range of indices.
   static void compare(const Node& a, const Node& b, std::size_t base, std::vector<Change>& list) {
     if (&a == &b) return;
-    if (!a.isLeaf() && !b.isLeaf() && a.starts == b.starts) {
-      for (std::size_t c = 0; c < a.children.size(); ++c) {
-        compare(*a.children[c], *b.children[c], base + a.starts[c], list);
+    if (!a.leaf && !b.leaf && a.width == b.width && innerOf(a).starts == innerOf(b).starts) {
+      for (std::size_t c = 0; c < a.width; ++c) {
+        compare(*innerOf(a).children[c], *innerOf(b).children[c], base + innerOf(a).starts[c],
+                list);
       }
       return;
     }
     std::vector<const T*> left;
-    left.reserve(a.size());
+    left.reserve(sizeOf(a));
     auto collect = [&](const T& item) { left.push_back(&item); };
-    visitRange(a, 0, a.size(), collect);
+    visitRange(a, 0, sizeOf(a), collect);
     std::size_t i = 0;
     auto check = [&](const T& item) {
       if (!(*left[i] == item)) note(list, base + i);
       ++i;
     };
-    visitRange(b, 0, b.size(), check);
+    visitRange(b, 0, sizeOf(b), check);
   }
 
-  // The node that holds item i, as high up as it starts just there (from the front) or ends just
-  // there (from the back).
+  // The node that starts at item i (ends before item `end`), as high up as there is one.
   static const Node* highestStartingAt(const Node* node, std::size_t i) {
-    while (i != 0 && !node->isLeaf()) {
-      const std::size_t c = node->childOf(i);
-      i -= node->starts[c];
-      node = node->children[c].get();
+    while (i != 0 && !node->leaf) {
+      const std::size_t c = innerOf(*node).childOf(i);
+      i -= innerOf(*node).starts[c];
+      node = innerOf(*node).children[c].get();
     }
     return i == 0 ? node : nullptr;
   }
   static const Node* highestEndingAt(const Node* node, std::size_t end) {
-    while (end != node->size() && !node->isLeaf()) {
-      const std::size_t c = node->childOf(end - 1);
-      end -= node->starts[c];
-      node = node->children[c].get();
+    while (end != sizeOf(*node) && !node->leaf) {
+      const std::size_t c = innerOf(*node).childOf(end - 1);
+      end -= innerOf(*node).starts[c];
+      node = innerOf(*node).children[c].get();
     }
-    return end == node->size() ? node : nullptr;
+    return end == sizeOf(*node) ? node : nullptr;
   }
   // The size of a node that both trees share there, 0 if there is none.
   template <class Down>
   static std::size_t sharedSize(const Node* a, const Node* b, Down down) {
     while (a != nullptr && b != nullptr && a != b) {
-      const Node*& larger = a->size() >= b->size() ? a : b;
-      larger = larger->isLeaf() ? nullptr : down(*larger);
+      const Node*& larger = sizeOf(*a) >= sizeOf(*b) ? a : b;
+      larger = larger->leaf ? nullptr : down(childrenOf(*larger));
     }
-    return a != nullptr && a == b ? a->size() : 0;
+    return a != nullptr && a == b ? sizeOf(*a) : 0;
   }
 
   static std::size_t commonPrefix(const SharedSequence& a, const SharedSequence& b,
@@ -402,7 +474,7 @@ class SharedSequence {
     while (i < most) {
       const std::size_t skip =
           sharedSize(highestStartingAt(a.root_.get(), i), highestStartingAt(b.root_.get(), i),
-                     [](const Node& n) { return n.children.front().get(); });
+                     [](auto children) { return children.front().get(); });
       if (skip == 0 && !(a[i] == b[i])) break;
       i += std::max<std::size_t>(skip, 1);
     }
@@ -412,10 +484,9 @@ class SharedSequence {
                                   std::size_t most) {
     std::size_t n = 0;
     while (n < most) {
-      const std::size_t skip =
-          sharedSize(highestEndingAt(a.root_.get(), a.size() - n),
-                     highestEndingAt(b.root_.get(), b.size() - n),
-                     [](const Node& node) { return node.children.back().get(); });
+      const std::size_t skip = sharedSize(highestEndingAt(a.root_.get(), a.size() - n),
+                                          highestEndingAt(b.root_.get(), b.size() - n),
+                                          [](auto children) { return children.back().get(); });
       if (skip == 0 && !(a[a.size() - 1 - n] == b[b.size() - 1 - n])) break;
       n += std::max<std::size_t>(skip, 1);
     }

@@ -193,7 +193,7 @@ class ArcLength::Builder {
       add({ends[i], ends[i + 1], speed_.at(ends[i]), speed_.at(ends[i + 1]), sums[i]}, 0);
     }
     panels_.push_back({1.0, length_, speed_.at(1.0)});
-    table.panels_.assign(panels_.begin(), panels_.end());
+    table.panels_.assign(panels_);
     table.length_ = length_;
   }
 
@@ -231,6 +231,15 @@ class ArcLength::Builder {
   double length_ = 0.0;  // of the panels so far
 };
 
+void ArcLength::PanelList::assign(const std::vector<Panel>& panels) {
+  size_ = panels.size();
+  if (size_ <= kInPlace) {
+    std::copy(panels.begin(), panels.end(), near_.begin());
+  } else {
+    far_.assign(panels.begin(), panels.end());
+  }
+}
+
 ArcLength::ArcLength(const CubicSegment& segment) { Builder(segment).build(*this); }
 
 double ArcLength::lengthAt(const CubicSegment& segment, double u) const {
@@ -247,7 +256,7 @@ double ArcLength::parameterAt(const CubicSegment& segment, double s) const {
   if (!(s > 0.0)) return 0.0;
   if (s >= length_) return 1.0;
   // The panel that holds s: the last that starts at or before it.
-  const Panel* panel = panels_.data();
+  const Panel* panel = panels_.begin();
   for (std::size_t count = panels_.size() - 1; count > 1;) {
     const std::size_t half = count / 2;
     panel += panel[half].s <= s ? half : 0;

@@ -2,7 +2,8 @@
 // The arc length of a cubic piece and its inverse (paper 5.1).
 #pragma once
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "math/cubic_segment.hpp"
@@ -37,8 +38,24 @@ class ArcLength {
   };
   class Builder;
 
-  std::vector<Panel> panels_;  // with one closing entry at u = 1
+  // Most tables fit into the object: looking into one in a long flight is waiting for memory.
+  class PanelList {
+   public:
+    void assign(const std::vector<Panel>& panels);
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    const Panel* begin() const { return size_ <= kInPlace ? near_.data() : far_.data(); }
+    const Panel* end() const { return begin() + size_; }
+
+   private:
+    static constexpr std::size_t kInPlace = 16;
+    std::size_t size_ = 0;
+    std::array<Panel, kInPlace> near_{};
+    std::vector<Panel> far_;
+  };
+
   double length_ = 0.0;
+  PanelList panels_;  // with one closing entry at u = 1
 };
 
 }  // namespace vides
