@@ -19,7 +19,7 @@ std::string numberText(double value) {
 }
 
 std::string pointText(const Vec3& p) {
-  return "[" + numberText(p.x) + ", " + numberText(p.y) + ", " + numberText(p.z) + "]";
+  return fmt::format("[{}, {}, {}]", numberText(p.x), numberText(p.y), numberText(p.z));
 }
 
 Problem problem(ProblemCode code, std::string_view pointer, Expectation expected,
@@ -32,8 +32,8 @@ Problem problem(ProblemCode code, std::string_view pointer, Expectation expected
   return p;
 }
 
-// hypot of three, without overflow.
-double distance(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
+// Without overflow, and NaN if one of them is (libstdc++'s hypot of three may lose it).
+double distance(const Vec3& v) { return std::hypot(std::hypot(v.x, v.y), v.z); }
 
 // Collects problems while the walk goes down into the members and up again.
 class Walk {
@@ -244,7 +244,7 @@ std::optional<Problem> checkPath(std::string_view path, std::string_view pointer
   Expectation expected;
   expected.kind = Expected::kPath;
   return problem(ProblemCode::kOutOfRange, pointer, expected,
-                 shortened('"' + std::string(path) + '"'));
+                 shortened(fmt::format("\"{}\"", path)));
 }
 
 std::optional<Problem> checkSpaceCenter(const Vec3& center, std::string_view pointer) {
