@@ -80,8 +80,17 @@ Vec3 PlaneDragTool::withinCube(const Vec3& point) const {
   if (what_ == What::kAim) {
     return glm::clamp(point, Vec3(limits::kAim.min), Vec3(limits::kAim.max));
   }
-  const Vec3 offset = offsetWithinCube(start_.flight, start_.marks.selected, point - grab_.point);
-  return glm::clamp(grab_.point + offset, Vec3(-1.0), Vec3(1.0));
+  const Vec3 wanted = point - grab_.point;
+  const Vec3 offset = offsetWithinCube(start_.flight, start_.marks.selected, wanted);
+  Vec3 result = point;  // exactly, where nothing stops it
+  for (int i = 0; i < 3; ++i) {
+    if (offset[i] == wanted[i]) continue;
+    // On a face exactly, where it is this key that reaches it.
+    const double face = offset[i] < wanted[i] ? 1.0 : -1.0;
+    const bool reached = offset[i] == face - grab_.point[i];
+    result[i] = reached ? face : std::clamp(grab_.point[i] + offset[i], -1.0, 1.0);
+  }
+  return result;
 }
 
 // Where one of two moving coordinates is stopped, the other one still follows the pointer.

@@ -78,7 +78,10 @@ bool Session::execute(const Command& command) {
   }
   const auto done = run(command);
   if (window && !gesture_) beginWindow(*window);
-  return done ? true : refuse(done.error());
+  if (done) return true;
+  // A failure (of the disk, say) is told as such already.
+  if (output_ == OutputLine{MessageKind::kError, done.error()}) return false;
+  return refuse(done.error());
 }
 
 bool Session::available(std::string_view name) const {

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Both languages say everything, with the same parts; texts are filled in.
+#include "edit/texts.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+
+#include "edit/command_table.hpp"
+#include "edit/shortcuts.hpp"
+#include "flight/utf8.hpp"
+
+namespace vides {
+namespace {
+
+std::multiset<std::string> placeholders(const std::string& text) {
+  static const std::regex pattern(R"(\{[^}]*\})");
+  return {std::sregex_token_iterator(text.begin(), text.end(), pattern),
+          std::sregex_token_iterator()};
+}
+
+TEST(Texts, BothLanguagesHaveTheSameKeysAndParts) {
+  const Texts::Table english = builtInTexts(Language::kEnglish);
+  const Texts::Table german = builtInTexts(Language::kGerman);
+  ASSERT_GT(english.size(), 200u);
+  for (const auto& [key, words] : english) {
+    EXPECT_FALSE(words.empty()) << key;
+    EXPECT_TRUE(codePoints(words)) << key;
+    const auto found = german.find(key);
+    if (found == german.end()) {
+      ADD_FAILURE() << "no German for " << key;
+      continue;
+    }
+    EXPECT_FALSE(found->second.empty()) << key;
+    EXPECT_EQ(placeholders(words), placeholders(found->second)) << key;
+    for (const std::string& p : placeholders(words)) {
+      EXPECT_TRUE(std::regex_match(p, std::regex(R"(\{[0-9](:[0-9])?\})"))) << key << ": " << p;
+    }
+  }
+  for (const auto& [key, words] : german) {
+    EXPECT_TRUE(english.contains(key)) << "no English for " << key;
+  }
+}
+
+TEST(Texts, EveryCommandHasATitleAndEveryGroupOfShortcutsTo) {
+  const Texts texts(Language::kEnglish);
+  for (const CommandSpecification& command : commandTable()) {
+    EXPECT_NE(texts.words(command.titleKey()), "") << command.name;
+  }
+  for (const Shortcut& shortcut : shortcutTable()) {
+    EXPECT_NE(texts.words("shortcuts." + shortcut.group), "") << shortcut.group;
+  }
+}
+
+// Every key that the sources of edit/ name is in the table.
+TEST(Texts, EveryTextThatTheSourcesNameIsThere) {
+  const Texts texts(Language::kEnglish);
+  const std::regex named(
+      R"re("((?:refusal|output|step|question|title|menu|hint)\.[a-z0-9.#-]+)")re");
+  std::size_t count = 0;
+  for (const auto& file :
+       std::filesystem::directory_iterator(std::filesystem::path(VIDES_SOURCE_DIR) / "src/edit")) {
+    std::ifstream stream(file.path());
+    const std::string source{std::istreambuf_iterator<char>(stream), {}};
+    for (std::sregex_iterator at(source.begin(), source.end(), named), end; at != end; ++at) {
+      std::string key = (*at)[1];
+      if (key.ends_with('.')) key += 'x';  // one of x, y, z
+      EXPECT_NE(texts.words(key), "") << key << " in " << file.path();
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 80u);
+}
+
+TEST(Texts, PartsAreFilledIn) {
+  const Texts english(Language::kEnglish), german(Language::kGerman);
+  const Text undo("menu.undo", {Text("step.move-key", {3})});
+  EXPECT_EQ(english.tell(undo), "Undo Move key 3");
+  EXPECT_EQ(german.tell(undo), "Rückgängig: Stützpunkt 3 bewegen");
+  EXPECT_EQ(english.tell(Text("step.insert-keys", {1})), "Insert 1 key");
+  EXPECT_EQ(english.tell(Text("step.insert-keys", {4})), "Insert 4 keys");
+  EXPECT_EQ(english.tell(Text("output.point", {-0.5, 0.25, -0.0001})), "\u22120.500  0.250  0.000");
+  EXPECT_EQ(german.tell(Text("output.point", {-0.5, 0.25, 1.0})), "\u22120,500  0,250  1,000");
+}
+
+TEST(Texts, ProblemsAreToldInTheLanguage) {
+  Problem problem;
+  problem.code = ProblemCode::kOutOfRange;
+  problem.pointer = "/keys/1/orientations/0/zoom";
+  problem.expected.kind = Expected::kNumber;
+  problem.expected.min = 1;
+  problem.expected.max = 100;
+  problem.found = "250";
+  EXPECT_EQ(Texts(Language::kEnglish).tell(Text("refusal.problem", {problem})),
+            "/keys/1/orientations/0/zoom: expected a number from 1 to 100, found 250");
+  EXPECT_EQ(Texts(Language::kGerman).tell(Text("refusal.problem", {problem})),
+            "/keys/1/orientations/0/zoom: erwartet: eine Zahl von 1 bis 100; gefunden: 250");
+}
+
+TEST(Texts, WhatALanguageLacksIsToldInEnglish) {
+  const Texts texts(Language::kGerman, {{"a", "ein A"}}, {{"a", "an A"}, {"b", "a {0}"}});
+  EXPECT_EQ(texts.tell(Text("a")), "ein A");
+  EXPECT_EQ(texts.tell(Text("b", {"B"})), "a B");
+  EXPECT_EQ(texts.tell(Text("c")), "c");
+  EXPECT_EQ(texts.words("c"), "");
+}
+
+TEST(Texts, Numbers) {
+  const Texts texts(Language::kEnglish);
+  EXPECT_EQ(texts.number(12.0), "12");
+  EXPECT_EQ(texts.number(0.1 + 0.2), "0.3");
+  EXPECT_EQ(texts.number(-12.5), "\u221212.5");
+  EXPECT_EQ(texts.number(-0.0004), "0");
+  EXPECT_EQ(texts.number(100.0, 3), "100.000");
+}
+
+}  // namespace
+}  // namespace vides
