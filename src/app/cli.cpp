@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -17,6 +18,7 @@
 #include "app/messages.hpp"
 #include "app/open_editor.hpp"
 #include "app/output.hpp"
+#include "app/picture_size.hpp"
 #include "app/suggestion.hpp"
 
 namespace vides {
@@ -48,6 +50,20 @@ Examples:
   vides frames flight.vid --format chan --range 100:200 -o part.chan
   generate | vides frames - | render)";
 
+constexpr const char* kDriveFooter = R"(
+A script has a line per command; # begins a comment. Pixels count from the upper
+left corner.
+  frame [N]   move X Y   press BUTTON   release BUTTON   wheel DY
+  drag BUTTON X1 Y1 X2 Y2 [STEPS]   key NAME   down NAME   up NAME   text "..."
+  click ID   set ID VALUE   do COMMAND [ARGS]   drop FILE
+  where key I | where aim I J | where up I J | where curve I U
+  point $NAME where ...   view VIEW   view TURN TILT SIZE   perspective on|off
+  frame_at N   print POINTER   expect POINTER VALUE [TOL]
+  expect_output "TEXT"   expect_title "TEXT"
+  save FILE   open FILE   undo   redo   screenshot FILE
+The first line that fails ends the run with status 1 and SCRIPT:LINE: what was
+expected and found.)";
+
 constexpr const char* kMainFooter = R"(
 FLIGHT may be - for standard input. Exit status: 0 done, 1 the work failed or the
 input is bad, 2 the command line is wrong. NO_COLOR is honoured.
@@ -65,6 +81,8 @@ class Parser {
     addFrames();
     addInfo();
     addCheck();
+    addScreenshot();
+    addDrive();
   }
 
   CLI::App& app() { return app_; }
@@ -94,6 +112,8 @@ class Parser {
     if (chosen == frames_) return runFrames(frames);
     if (chosen == info_) return runInfo(info);
     if (chosen == check_) return runCheck(check);
+    if (chosen == screenshot_) return runScreenshot(screenshot);
+    if (chosen == drive_) return runDrive(drive);
     return openEditor(operand);
   }
 
@@ -102,12 +122,17 @@ class Parser {
     if (firstNumberGiven_ && frames.options.format != FrameFormat::kChan) {
       throw CLI::ValidationError("--first-frame", "only frames of --format chan have numbers");
     }
+    if (command() == drive_ && drive.script.empty() && !drive.listWidgets) {
+      throw CLI::ValidationError("--script", "a script is needed (or --list-widgets)");
+    }
   }
 
   std::optional<std::string> operand;  // without a command
   FramesCommand frames;
   InfoCommand info;
   CheckCommand check;
+  ScreenshotCommand screenshot;
+  DriveCommand drive;
 
  private:
   CLI::App* addCommand(const char* name, const char* purpose) {
@@ -170,6 +195,74 @@ class Parser {
         "status 1 if there is one. Says nothing of flights that are right.");
   }
 
+  void addScreenshot() {
+    screenshot_ = addCommand("screenshot", "Write a picture of the viewport or the window");
+    screenshot_->add_option("FLIGHT", screenshot.flight, "The flight; - for standard input")
+        ->type_name("FILE")
+        ->required();
+    screenshot_->add_option("-o,--output", screenshot.output, "The picture to write")
+        ->type_name("PNG")
+        ->required();
+    addPictureOptions(*screenshot_, screenshot.width, screenshot.height, screenshot.scale,
+                      screenshot.offscreen);
+    screenshot_->add_option("--view", screenshot.view, "iso (default), front, side, top or camera")
+        ->type_name("VIEW")
+        ->check(CLI::IsMember({"iso", "front", "side", "top", "camera"}));
+    screenshot_
+        ->add_option_function<std::string>(
+            "--frame",
+            [this](const std::string& text) {
+              const auto number = parseFrameNumber(text);
+              if (!number || *number < 0) {
+                throw CLI::ValidationError("--frame",
+                                           fmt::format("'{}' is not a frame's number", text));
+              }
+              screenshot.frame = *number;
+            },
+            "The frame that the playhead stands on (default 0)")
+        ->type_name("N");
+    screenshot_->add_flag("--whole-window", screenshot.wholeWindow,
+                          "The whole editor with its panels");
+  }
+
+  void addDrive() {
+    drive_ = addCommand("drive", "Run the editor without a display, moved by a script");
+    drive_->add_option("FLIGHT", drive.flight, "The flight to begin with (default: a new one)")
+        ->type_name("FILE");
+    drive_->add_option("--script", drive.script, "What to do; - for standard input")
+        ->type_name("FILE");
+    addPictureOptions(*drive_, drive.width, drive.height, drive.scale, drive.offscreen);
+    drive_->add_option("--language", drive.language, "en (default) or de")
+        ->type_name("en|de")
+        ->check(CLI::IsMember({"en", "de"}));
+    drive_->add_flag("--list-widgets", drive.listWidgets,
+                     "Print every widget's identifier and label instead");
+    drive_->footer(kDriveFooter);
+  }
+
+  static void addPictureOptions(CLI::App& command, int& width, int& height, double& scale,
+                                std::string& offscreen) {
+    command
+        .add_option_function<std::string>(
+            "--size",
+            [&width, &height](const std::string& text) {
+              if (const auto size = parsePictureSize(text)) {
+                std::tie(width, height) = *size;
+              } else {
+                throw CLI::ValidationError(
+                    "--size", fmt::format("'{}' is not WIDTHxHEIGHT in pixels, 1 to 16384", text));
+              }
+            },
+            "Size in pixels (default 1280x800)")
+        ->type_name("WxH");
+    command.add_option("--scale", scale, "How large widgets and texts are, 0.75 to 3 (default 1)")
+        ->type_name("S")
+        ->check(CLI::Range(0.75, 3.0));
+    command.add_option("--offscreen", offscreen, "What draws: osmesa (default) or egl")
+        ->type_name("osmesa|egl")
+        ->check(CLI::IsMember({"osmesa", "egl"}));
+  }
+
   void setFormat(const std::string& text) {
     std::vector<std::string> names;
     for (const NamedFormat& f : kFormats) {
@@ -217,6 +310,8 @@ class Parser {
   CLI::App* frames_ = nullptr;
   CLI::App* info_ = nullptr;
   CLI::App* check_ = nullptr;
+  CLI::App* screenshot_ = nullptr;
+  CLI::App* drive_ = nullptr;
   bool firstNumberGiven_ = false;
 };
 
@@ -273,7 +368,7 @@ int unexpected(Parser& parser) {
 int print(const std::string& text) {
   Output output;
   output.write(text);
-  return output.finish() ? kDone : kFailed;
+  return output.finish() ? kExitDone : kFailed;
 }
 
 int parseAndRun(int argc, const char* const* argv) {

@@ -27,7 +27,7 @@ int runCheck(const CheckCommand& command) {
       }
     }
   }
-  return output.finish() && good ? kDone : kFailed;
+  return output.finish() && good ? kExitDone : kFailed;
 }
 
 }  // namespace vides

@@ -27,7 +27,7 @@ int runFrames(const FramesCommand& command) {
         evaluation, command.options, [&](std::string_view piece) { return output.write(piece); },
         [&](std::int64_t done, std::int64_t all) { progress.report(done, all); });
   }
-  return output.finish() ? kDone : kFailed;
+  return output.finish() ? kExitDone : kFailed;
 }
 
 }  // namespace vides

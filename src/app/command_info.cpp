@@ -159,7 +159,7 @@ int runInfo(const InfoCommand& command) {
   } else {
     writeText(evaluation, command.flight, output);
   }
-  return output.finish() ? kDone : kFailed;
+  return output.finish() ? kExitDone : kFailed;
 }
 
 }  // namespace vides

@@ -2,6 +2,8 @@
 // What the commands do, once the command line is understood. Each returns the exit status.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +11,7 @@
 
 namespace vides {
 
-inline constexpr int kDone = 0;
+inline constexpr int kExitDone = 0;
 inline constexpr int kFailed = 1;  // the work failed or the input is bad
 inline constexpr int kWrongCommandLine = 2;
 
@@ -31,5 +33,30 @@ struct CheckCommand {
   std::vector<std::string> flights;
 };
 int runCheck(const CheckCommand& command);
+
+struct ScreenshotCommand {
+  std::string flight;
+  std::string output;
+  int width = 1280;  // pixels
+  int height = 800;
+  double scale = 1.0;
+  std::string view = "iso";           // iso, front, side, top, camera
+  std::optional<std::int64_t> frame;  // of the playhead; the first
+  bool wholeWindow = false;
+  std::string offscreen = "osmesa";  // or egl
+};
+int runScreenshot(const ScreenshotCommand& command);
+
+struct DriveCommand {
+  std::optional<std::string> flight;  // nothing: New
+  std::string script;
+  int width = 1280;  // pixels
+  int height = 800;
+  double scale = 1.0;
+  std::string language = "en";  // or de
+  bool listWidgets = false;     // instead of a script
+  std::string offscreen = "osmesa";
+};
+int runDrive(const DriveCommand& command);
 
 }  // namespace vides

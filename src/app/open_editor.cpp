@@ -1,31 +1,121 @@
 // SPDX-License-Identifier: MIT
-// Without an editor: what can be done instead.
+// The editor in a window: sleeps until something happens, and then draws a display frame.
 #include "app/open_editor.hpp"
 
-#include <cstdlib>
+#include <chrono>
+#include <thread>
 
+#include "app/assets.hpp"
 #include "app/commands.hpp"
+#include "app/editor.hpp"
 #include "app/messages.hpp"
+#include "app/offscreen_editor.hpp"
 #include "app/sample_frames.hpp"
+#include "host/open_host.hpp"
 
 namespace vides {
 namespace {
 
-bool hasDisplay() {
-  for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
-    const char* const value = std::getenv(name);
-    if (value != nullptr && *value != '\0') return true;
+// Screens faster than this gain nothing; without vertical synchronisation we limit ourselves.
+constexpr double kLeastFrameSeconds = 1.0 / 120.0;
+constexpr std::chrono::duration<double> kLongest = std::chrono::hours(1);
+
+CursorShape cursorOf(PointerShape shape) {
+  switch (shape) {
+    case PointerShape::kText:
+      return CursorShape::kText;
+    case PointerShape::kHand:
+    case PointerShape::kMove:
+      return CursorShape::kHand;
+    case PointerShape::kHorizontal:
+      return CursorShape::kHorizontal;
+    case PointerShape::kVertical:
+      return CursorShape::kVertical;
+    case PointerShape::kArrow:
+      break;
   }
-  return false;
+  return CursorShape::kArrow;
+}
+
+// What the window shows besides the picture, told to it only where it changes.
+class WindowDress {
+ public:
+  explicit WindowDress(Host& host) : host_(host) {}
+  void put(const FrameOutcome& outcome) {
+    if (outcome.title != title_) host_.setTitle(title_ = outcome.title);
+    const CursorShape cursor = cursorOf(outcome.pointer);
+    if (cursor != cursor_) host_.setCursor(cursor_ = cursor);
+    if (outcome.fullScreen != host_.fullScreen()) host_.setFullScreen(outcome.fullScreen);
+  }
+
+ private:
+  Host& host_;
+  std::string title_;
+  CursorShape cursor_ = CursorShape::kArrow;
+};
+
+void runWindow(Host& host, Editor& editor) {
+  using Seconds = std::chrono::duration<double>;
+  WindowDress dress(host);
+  std::optional<double> due = 0.0;  // when the next display frame is wanted; the first at once
+  double last = -1.0;
+  for (;;) {
+    FrameInput input;
+    input.events = host.takeEvents();
+    if (input.events.empty() && !(due && host.time() >= *due)) {
+      host.waitForEvents(due ? Seconds(*due - host.time()) : kLongest);
+      continue;
+    }
+    if (const double early = last + kLeastFrameSeconds - host.time(); early > 0.0) {
+      std::this_thread::sleep_for(Seconds(early));
+      for (InputEvent& event : host.takeEvents()) input.events.push_back(std::move(event));
+    }
+    last = input.time = host.time();
+    input.size = host.size();
+    input.contentScale = host.contentScale();
+    const bool visible = host.beginDrawing();
+    const FrameOutcome outcome = editor.frame(input);
+    if (visible) host.swap();
+    if (outcome.quit) return;
+    dress.put(outcome);
+    due.reset();
+    if (outcome.nextFrameIn) due = input.time + *outcome.nextFrameIn;
+  }
+}
+
+int noWindow(const std::string& why, bool flightGiven) {
+  if (!flightGiven) return writeSampleFrames();
+  tell(why);
+  tell(
+      "these commands need no display: vides frames, vides info, vides check, vides screenshot, "
+      "vides drive (see vides --help)");
+  return kFailed;
 }
 
 }  // namespace
 
 int openEditor(const std::optional<std::string>& flight) {
-  if (!flight) return writeSampleFrames();
-  tell(hasDisplay() ? "this version has no editor yet" : "no display to open the editor on");
-  tell("these commands need none: vides frames, vides info, vides check (see vides --help)");
-  return kFailed;
+  auto host = openWindow({});
+  if (!host) return noWindow(host.error(), flight.has_value());
+  Host& window = **host;
+  window.makeCurrent();
+  EditorOptions options;
+  options.clipboard = [&window] { return window.clipboard(); };
+  options.setClipboard = [&window](const std::string& text) { window.setClipboard(text); };
+  auto editor = Editor::create(window.gl(), std::move(options));
+  if (!editor) {
+    tell(editor.error());
+    return kFailed;
+  }
+  if (flight) {
+    if (!openFlightArgument(**editor, *flight)) return kFailed;
+  } else if (const auto sample = findAsset("flights/pyramid.vid")) {
+    (*editor)->run(Command("open", sample->string()));
+  }
+  runWindow(window, **editor);
+  window.makeCurrent();
+  editor->reset();
+  return kExitDone;
 }
 
 }  // namespace vides

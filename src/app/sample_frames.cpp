@@ -62,7 +62,7 @@ Try also
   vides --help
 )",
                          evaluation.frameCount(), flight->name, name));
-  return text.finish() ? kDone : kFailed;
+  return text.finish() ? kExitDone : kFailed;
 }
 
 }  // namespace vides

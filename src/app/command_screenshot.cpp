@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// `vides screenshot`: a picture of the viewport, of the camera's view, or of the whole window.
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/offscreen_editor.hpp"
+
+namespace vides {
+namespace {
+
+tl::expected<Picture, std::string> takePicture(const ScreenshotCommand& command,
+                                               OffscreenEditor& offscreen) {
+  Player& player = *offscreen.player;
+  Editor& editor = player.editor();
+  if (!command.wholeWindow) {
+    Layout layout;
+    layout.bare = true;
+    editor.setLayout(layout);
+  }
+  if (command.view == "camera") {
+    ViewState view = editor.session().view();
+    view.swapped = true;
+    editor.session().setView(view);
+  } else {
+    editor.run(Command("view", command.view));
+  }
+  if (command.frame) {
+    const std::int64_t frames = editor.session().evaluation().frameCount();
+    if (*command.frame < 0 || *command.frame >= frames) {
+      return Failure(
+          fmt::format("--frame {}: the flight has the frames 0 to {}", *command.frame, frames - 1));
+    }
+    editor.run(Command("go-to-frame", *command.frame));
+  }
+  // Until nothing moves any more: the measures of a long flight come in portions.
+  do {
+    player.frame();
+  } while (player.unfinished());
+  return player.picture();
+}
+
+}  // namespace
+
+int runScreenshot(const ScreenshotCommand& command) {
+  auto offscreen =
+      openOffscreenEditor(command.offscreen == "egl" ? OffscreenKind::kEgl : OffscreenKind::kOsmesa,
+                          {command.width, command.height}, command.scale);
+  if (!offscreen) {
+    tell(offscreen.error());
+    return kFailed;
+  }
+  if (!openFlightArgument(offscreen->player->editor(), command.flight)) return kFailed;
+  const auto picture = takePicture(command, *offscreen);
+  if (!picture) {
+    tell(picture.error());
+    return kFailed;
+  }
+  if (const auto written = writePng(*picture, command.output); !written) {
+    tell(written.error());
+    return kFailed;
+  }
+  return kExitDone;
+}
+
+}  // namespace vides

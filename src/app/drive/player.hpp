@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The editor without a screen, moved by events: one display frame of 1/60 s for each.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "app/editor.hpp"
+#include "host/offscreen_host.hpp"
+#include "input/key.hpp"
+#include "render/picture.hpp"
+
+namespace vides {
+
+class Player {
+ public:
+  // Error: what OpenGL refused.
+  static tl::expected<std::unique_ptr<Player>, std::string> create(OffscreenHost& host);
+
+  Editor& editor() { return *editor_; }
+  const std::string& title() const { return outcome_.title; }
+  // Whether it wants another display frame at once, without an event.
+  bool unfinished() const { return outcome_.nextFrameIn && *outcome_.nextFrameIn <= 1.0 / 60.0; }
+  bool quit() const { return outcome_.quit; }
+  const Modifiers& modifiers() const { return modifiers_; }
+
+  // One display frame, 1/60 s later, after what was pushed.
+  void frame();
+  // Each runs a display frame.
+  void event(InputEvent event);
+  void move(double x, double y);
+  void button(PointerButton button, bool pressed);
+  void key(KeyboardKey key, bool pressed);
+  void type(const std::string& text);
+  // Down and up again.
+  void tap(KeyboardKey key, const Modifiers& modifiers);
+  void click(double x, double y, PointerButton which = PointerButton::kLeft);
+
+  // A command by its text name, then a display frame. False where it was refused or failed.
+  bool perform(const Command& command);
+  // A widget operated as a hand would: its menu is opened, its column scrolled. Error: a sentence.
+  tl::expected<void, std::string> clickWidget(const std::string& id);
+  tl::expected<void, std::string> setWidget(const std::string& id, const std::string& value);
+
+  // The window as it is drawn when nothing moves any more; the script's time stands.
+  tl::expected<Picture, std::string> picture();
+
+ private:
+  Player(OffscreenHost& host, std::unique_ptr<Editor> editor);
+  tl::expected<Widget, std::string> bringIntoSight(const std::string& id);
+  void draw();
+
+  OffscreenHost& host_;
+  std::unique_ptr<Editor> editor_;
+  FrameOutcome outcome_;
+  Modifiers modifiers_;
+};
+
+}  // namespace vides

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Every widget that the editor has.
+#include "app/drive/widget_list.hpp"
+
+#include "edit/command_table.hpp"
+#include "panels/menu_bar.hpp"
+
+namespace vides {
+
+std::map<std::string, std::string> allWidgets(Player& player) {
+  std::map<std::string, std::string> all;
+  const auto collect = [&] {
+    for (const auto& [id, widget] : player.editor().widgets().widgets()) all[id] = widget.label;
+  };
+  player.frame();
+  collect();
+  for (const Menu& menu : menus()) {
+    for (const MenuEntry& entry : menu.entries) {
+      if (!entry.id.empty()) all[entry.id] = player.editor().label(entry.id);
+    }
+  }
+  const CommandSpecification* show = findCommand("show-window");
+  for (const std::string& window : show->arguments.front().choices) {
+    player.perform(Command("show-window", window));
+    player.frame();
+    collect();
+    player.perform(Command("close-window", window));
+  }
+  return all;
+}
+
+}  // namespace vides

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// One display frame of the editor.
+#include "app/editor.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/editor_parts.hpp"
+#include "app/words.hpp"
+
+namespace vides {
+namespace {
+
+constexpr double kGlideSeconds = 0.15;
+constexpr double kDisplayFrame = 1.0 / 60.0;
+constexpr double kTooltipDelay = 0.65;
+// Display frames after the last event: hovering and menus take one or two to settle.
+constexpr int kSettlingFrames = 3;
+
+PointerShape pointerShape(ImGuiMouseCursor cursor) {
+  switch (cursor) {
+    case ImGuiMouseCursor_TextInput:
+      return PointerShape::kText;
+    case ImGuiMouseCursor_ResizeNS:
+      return PointerShape::kVertical;
+    case ImGuiMouseCursor_ResizeEW:
+      return PointerShape::kHorizontal;
+    case ImGuiMouseCursor_Hand:
+      return PointerShape::kHand;
+    case ImGuiMouseCursor_ResizeAll:
+      return PointerShape::kMove;
+    default:
+      return PointerShape::kArrow;
+  }
+}
+
+// Dear ImGui's text fields use the same clipboard as keys do.
+void shareClipboard(ImGuiIO& io, Editor::Parts& parts) {
+  io.ClipboardUserData = &parts;
+  io.GetClipboardTextFn = [](void* data) -> const char* {
+    auto& self = *static_cast<Editor::Parts*>(data);
+    self.clipboardBuffer = self.options.clipboard ? self.options.clipboard() : std::string();
+    return self.clipboardBuffer.c_str();
+  };
+  io.SetClipboardTextFn = [](void* data, const char* text) {
+    auto& self = *static_cast<Editor::Parts*>(data);
+    if (self.options.setClipboard) self.options.setClipboard(text);
+  };
+}
+
+}  // namespace
+
+Editor::Parts::Parts(const Gl& table, EditorOptions given)
+    : gl(table),
+      options(std::move(given)),
+      context(ImGui::CreateContext()),
+      session(SessionSeams{options.clipboard, options.setClipboard, {}, {}}) {
+  words = [this](std::string_view key) { return panelWords(key, session.display().language); };
+  tell = [this](const Text& text) { return tellText(text, session.display().language); };
+  parse = [](std::string_view text) { return parseNumber(text); };
+  ImGui::SetCurrentContext(context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  io.MouseDragThreshold = 3.0f;
+  ImguiInput::announce(io);
+  ImguiRenderer::announce(io);
+  shareClipboard(io, *this);
+}
+
+Editor::Parts::~Parts() { ImGui::DestroyContext(context); }
+
+tl::expected<std::unique_ptr<Editor>, std::string> Editor::create(const Gl& gl,
+                                                                  EditorOptions options) {
+  auto parts = std::make_unique<Parts>(gl, std::move(options));
+  auto renderer = ImguiRenderer::create(gl);
+  if (!renderer) return Failure(renderer.error());
+  parts->imguiRenderer.emplace(std::move(*renderer));
+  auto pictures = FlightPictures::create(gl);
+  if (!pictures) return Failure(pictures.error());
+  parts->pictures = std::move(*pictures);
+  return std::unique_ptr<Editor>(new Editor(std::move(parts)));
+}
+
+Editor::Editor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Editor::~Editor() = default;
+
+// Fonts and style for the scale and theme at hand. Error: no room for the fonts' texture.
+void Editor::Parts::fitScale(double contentScale) {
+  const double chosen = session.display().contentScale;
+  const double wanted =
+      std::clamp(chosen > 0.0 ? chosen : contentScale, kLeastContentScale, kMostContentScale);
+  const Theme wantedColours = themeOf(session.display());
+  const bool otherColours = !(wantedColours == colours);
+  const bool otherScale = wanted != scale;
+  if (!otherColours && !otherScale) return;
+  scale = wanted;
+  colours = wantedColours;
+  applyStyle(ImGui::GetStyle(), colours, static_cast<float>(scale));
+  if (!otherScale) return;
+  ImGuiIO& io = ImGui::GetIO();
+  fonts = buildFonts(*io.Fonts, scale);
+  io.FontDefault = fonts.regular;
+  if (auto uploaded = imguiRenderer->uploadFonts(*io.Fonts); !uploaded) fontTrouble = true;
+}
+
+void Editor::Parts::apply(const Actions& actions) {
+  for (const Actions::Step& step : actions.steps) {
+    if (!step.gesture) {
+      run(step.command);
+      continue;
+    }
+    if (!session.inGesture()) session.begin(Text("step." + step.command.name));
+    session.preview(step.command);
+    if (step.phase == Phase::kCommit) session.commit();
+    if (step.phase == Phase::kCancel) session.cancel();
+  }
+  if (actions.noNumber) {
+    session.say(MessageKind::kRefusal, Text("refusal.no-number", {*actions.noNumber}));
+  }
+  if (actions.layout) layout = *actions.layout;
+}
+
+// View changes by a command glide there.
+bool Editor::Parts::run(const Command& command) {
+  const EditorView before = session.view().view;
+  const bool done = session.execute(command);
+  const EditorView after = session.view().view;
+  if (!options.glide || !session.display().glide || before == after || before.type != after.type) {
+    return done;
+  }
+  ViewState shown = session.view();
+  shown.view = before;
+  session.setView(shown);
+  glide = Glide{before, after, time};
+  return done;
+}
+
+void Editor::Parts::stepGlide() {
+  if (!glide) return;
+  const double share = std::clamp((time - glide->since) / kGlideSeconds, 0.0, 1.0);
+  ViewState state = session.view();
+  state.view = share >= 1.0 ? glide->to : glided(glide->from, glide->to, share);
+  session.setView(state);
+  if (share >= 1.0) glide.reset();
+}
+
+EditorView glided(const EditorView& from, const EditorView& to, double share) {
+  const double eased = share * share * (3.0 - 2.0 * share);
+  EditorView view = to;
+  // The shorter way round.
+  view.turn = from.turn + eased * std::remainder(to.turn - from.turn, 360.0);
+  view.tilt = from.tilt + eased * (to.tilt - from.tilt);
+  view.size = from.size * std::pow(to.size / from.size, eased);
+  view.target = from.target + eased * (to.target - from.target);
+  return limited(view);
+}
+
+bool Editor::Parts::pass(const FrameInput& given) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(given.size.width), static_cast<float>(given.size.height)};
+  ImGui::NewFrame();
+  registry.beginFrame();
+  graphs.follow(session.evaluation());
+  Actions actions;
+  Ui ui(uiSetting());
+  window(ui, actions);
+  // A field whose panel is gone is not being typed into.
+  if (!memory.editing.empty() && registry.find(memory.editing) == nullptr) memory.editing.clear();
+  ImGui::Render();
+  pointer = pointerShape(ImGui::GetMouseCursor());
+  const EditorView view = session.view().view;
+  const bool changed = !actions.steps.empty() || actions.noNumber || actions.layout ||
+                       (actions.view && *actions.view != view);
+  apply(actions);
+  if (actions.view) {
+    ViewState state = session.view();
+    state.view = *actions.view;
+    session.setView(state);
+    glide.reset();
+  }
+  return changed;
+}
+
+FrameOutcome Editor::frame(const FrameInput& given) {
+  Parts& p = *parts_;
+  ImGui::SetCurrentContext(p.context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DeltaTime = static_cast<float>(std::max(1e-4, given.time - p.time));
+  p.time = std::max(p.time, given.time);
+  p.input.add(given.events);
+  if (!given.events.empty()) p.settling = kSettlingFrames;
+  p.fitScale(given.contentScale);
+  p.session.advance(p.time);
+  p.stepGlide();
+  if (given.size.empty()) {
+    while (p.input.waiting()) p.input.feed(io, [&](const InputEvent& e) { p.notice(e); });
+    return p.outcome();
+  }
+  p.input.feed(io, [&](const InputEvent& e) { p.notice(e); });
+  // What a panel asked for is on screen in the same display frame.
+  if (p.pass(given)) {
+    io.DeltaTime = 1e-4f;
+    p.settling = kSettlingFrames;
+    p.pass(given);
+  }
+  p.draw(given);
+  ++p.framesDrawn;
+  if (p.settling > 0) --p.settling;
+  return p.outcome();
+}
+
+void Editor::Parts::draw(const FrameInput& given) {
+  GLint target = 0;
+  gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  const Colour ground = colours[ColourRole::kWindow];
+  pictures->prepare(static_cast<GLuint>(target), given.size.width, given.size.height);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.ClearColor(static_cast<float>(ground.red) / 255.0f, static_cast<float>(ground.green) / 255.0f,
+                static_cast<float>(ground.blue) / 255.0f, 1.0f);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  imguiRenderer->draw(*ImGui::GetDrawData());
+}
+
+FrameOutcome Editor::Parts::outcome() {
+  FrameOutcome result;
+  const auto want = [&](double seconds) {
+    result.nextFrameIn = std::min(result.nextFrameIn.value_or(seconds), std::max(0.0, seconds));
+  };
+  if (input.waiting()) want(0.0);
+  if (settling > 0 || glide || graphs.measuring()) want(kDisplayFrame);
+  if (const auto due = session.playback().nextFrameAt(session.flight().frameRate)) {
+    want(*due - time);
+  }
+  if (!memory.tooltipFor.empty() && time - memory.tooltipSince < kTooltipDelay) {
+    want(kTooltipDelay - (time - memory.tooltipSince));
+  }
+  result.pointer = pointer;
+  result.title = tell(session.title()) + " \u2013 vides";
+  result.fullScreen = session.fullScreen();
+  result.quit = session.quitRequested();
+  return result;
+}
+
+bool Editor::run(const Command& command) { return parts_->run(command); }
+std::string Editor::words(const Text& text) const { return parts_->tell(text); }
+std::string Editor::label(std::string_view id) const { return parts_->words(id); }
+double Editor::contentScale() const { return parts_->scale; }
+Session& Editor::session() { return parts_->session; }
+const Session& Editor::session() const { return parts_->session; }
+const WidgetRegistry& Editor::widgets() const { return parts_->registry; }
+Rect Editor::viewport() const { return parts_->pictures->viewportRect(); }
+Layout Editor::layout() const { return parts_->layout; }
+void Editor::setLayout(const Layout& layout) { parts_->layout = layout; }
+std::int64_t Editor::framesDrawn() const { return parts_->framesDrawn; }
+
+}  // namespace vides

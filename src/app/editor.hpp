@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The whole editor but for its window: input events and the time go in, one display frame comes
+// out.
+//
+// The window (app/open_editor.hpp) and scripts (app/drive) run the same object. Belongs to the
+// thread of its OpenGL context, and to no other while it exists: Dear ImGui's current context is
+// switched at the beginning of each call.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "edit/session.hpp"
+#include "input/input_event.hpp"
+#include "panels/actions.hpp"
+#include "panels/widget_registry.hpp"
+#include "render/failure.hpp"
+#include "render/gl_functions.hpp"
+
+namespace vides {
+
+struct EditorOptions {
+  std::function<std::string()> clipboard;
+  std::function<void(const std::string&)> setClipboard;
+  // View changes by key glide in 150 ms; off where a script wants to see them at once.
+  bool glide = true;
+};
+
+// What one display frame is made from.
+struct FrameInput {
+  std::vector<InputEvent> events;  // since the last one, oldest first
+  double time = 0.0;               // seconds, never less than before
+  PixelSize size;
+  double contentScale = 1.0;
+};
+
+enum class PointerShape { kArrow, kText, kHand, kHorizontal, kVertical, kMove };
+
+struct FrameOutcome {
+  // Seconds until the next display frame is wanted, 0 being at once; nothing: when something
+  // happens.
+  std::optional<double> nextFrameIn;
+  PointerShape pointer = PointerShape::kArrow;
+  std::string title;
+  bool fullScreen = false;
+  bool quit = false;
+};
+
+class Editor {
+ public:
+  // The context of `gl` must be current here and in each call. Error: a sentence, what OpenGL
+  // refused.
+  static tl::expected<std::unique_ptr<Editor>, std::string> create(const Gl& gl,
+                                                                   EditorOptions options);
+  ~Editor();
+  Editor(const Editor&) = delete;
+  Editor& operator=(const Editor&) = delete;
+
+  // Draws into the framebuffer that is bound, which has depth and stencil and is of that size. An
+  // empty size draws nothing; events are taken all the same.
+  FrameOutcome frame(const FrameInput& input);
+
+  // A command by name, as from a menu: view changes may glide. False where it was refused or
+  // failed.
+  bool run(const Command& command);
+
+  Session& session();
+  const Session& session() const;
+  // As of the last frame.
+  const WidgetRegistry& widgets() const;
+  // What the session says, in the current language.
+  std::string words(const Text& text) const;
+  // A widget's label, also of one that is not on screen.
+  std::string label(std::string_view id) const;
+  double contentScale() const;
+  // Where the viewport's picture is.
+  Rect viewport() const;
+  Layout layout() const;
+  void setLayout(const Layout& layout);
+  // Display frames drawn so far.
+  std::int64_t framesDrawn() const;
+  struct Parts;  // of editor_parts.hpp
+
+ private:
+  explicit Editor(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace vides

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// What the editor is made of; only its own files include this.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/editor.hpp"
+#include "app/flight_pictures.hpp"
+#include "app/imgui_input.hpp"
+#include "app/viewport_hand.hpp"
+#include "panels/flight_graphs.hpp"
+#include "panels/timeline_panel.hpp"
+#include "panels/ui.hpp"
+#include "render/imgui_renderer.hpp"
+#include "scene/theme.hpp"
+
+struct ImGuiContext;
+
+namespace vides {
+
+// Between two views, share 0 to 1, slow at both ends and the shorter way round.
+EditorView glided(const EditorView& from, const EditorView& to, double share);
+
+struct Editor::Parts {
+  Parts(const Gl& table, EditorOptions given);
+  ~Parts();
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  struct Glide {
+    EditorView from, to;
+    double since = 0.0;
+  };
+
+  const Gl& gl;
+  EditorOptions options;
+  std::string clipboardBuffer;
+  ImGuiContext* context;
+  Session session;
+  std::optional<ImguiRenderer> imguiRenderer;
+  std::unique_ptr<FlightPictures> pictures;
+  SceneCache scenes;
+  FlightGraphs graphs;
+
+  Fonts fonts;
+  double scale = 0.0;  // the fonts'; 0 before the first frame
+  bool fontTrouble = false;
+  Theme colours;  // the session's, as applied to Dear ImGui
+  Words words;
+  Tell tell;
+  NumberParser parse;
+
+  ImguiInput input;
+  UiMemory memory;
+  WidgetRegistry registry;
+  Layout layout;
+  TimelineView timeline;
+  ViewportHand hand;
+  bool overViewport = false;  // the pointer, as of the last pass
+  bool overCamera = false;
+  PointerShape pointer = PointerShape::kArrow;
+
+  std::optional<Glide> glide;
+  double time = 0.0;
+  int settling = 0;
+  std::int64_t framesDrawn = 0;
+
+  // editor.cpp
+  void fitScale(double contentScale);
+  bool pass(const FrameInput& given);
+  void draw(const FrameInput& given);
+  void apply(const Actions& actions);
+  bool run(const Command& command);
+  void stepGlide();
+  FrameOutcome outcome();
+  // editor_events.cpp
+  void notice(const InputEvent& event);
+  void buttonChanged(const ButtonChanged& change);
+  void keyChanged(const KeyChanged& change);
+  std::string shortcutOf(std::string_view commandLine) const;
+  // editor_window.cpp
+  Ui::Setting uiSetting();
+  void window(Ui& ui, Actions& actions);
+  void arrange(Ui& ui, const Rect& all, Actions& actions);
+  void leftColumn(Ui& ui, const Rect& rect, Actions& actions);
+  void rightColumn(Ui& ui, const Rect& rect, Actions& actions);
+  void viewportArea(Ui& ui, const Rect& rect, Actions& actions);
+  void splitters(Ui& ui, const Rect& all, const Rect& left, const Rect& right,
+                 const Rect& timelineRect, Actions& actions);
+  ViewportState viewportState() const;
+};
+
+}  // namespace vides

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Where everything stands in the window (5-editor, "Layout").
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor_parts.hpp"
+#include "panels/left_panels.hpp"
+#include "panels/menu_bar.hpp"
+#include "panels/right_panels.hpp"
+#include "panels/viewport_panel.hpp"
+
+namespace vides {
+namespace {
+
+// At content scale 1.
+constexpr float kMenuHeight = 28.0f;
+constexpr float kLeastColumn = 220.0f;
+constexpr float kMostColumn = 480.0f;
+constexpr float kLeastTimeline = 104.0f;
+constexpr float kMostTimeline = 400.0f;
+constexpr float kLeastViewport = 160.0f;
+constexpr float kSplitter = 6.0f;
+
+// A region of the window with a scroll bar where it is too low for what it holds.
+void region(const char* id, const Rect& rect, const std::function<void(Rect)>& content) {
+  ImGui::SetCursorScreenPos({rect.x, rect.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  const bool seen = ImGui::BeginChild(id, {rect.width, rect.height}, false, ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleVar();
+  if (seen) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    content({from.x, from.y, ImGui::GetContentRegionAvail().x, rect.height});
+  }
+  ImGui::EndChild();
+}
+
+// The panels' height becomes the region's, so that it can be scrolled.
+void endStack(const Stack& stack, float top) {
+  ImGui::SetCursorScreenPos({stack.x(), top});
+  ImGui::Dummy({1.0f, std::max(1.0f, stack.y() - top)});
+}
+
+Rect below(const Rect& rect, float height) {
+  return {rect.x, rect.y + height, rect.width, std::max(0.0f, rect.height - height)};
+}
+
+}  // namespace
+
+Ui::Setting Editor::Parts::uiSetting() {
+  return {fonts,  colours,
+          words,  tell,
+          parse,  registry,
+          memory, static_cast<float>(scale),
+          time,   session.display().language != Language::kEnglish};
+}
+
+ViewportState Editor::Parts::viewportState() const {
+  ViewportState state;
+  state.current = session.current();
+  state.selected = session.selected().keys();
+  state.playhead = session.frame();
+  return state;
+}
+
+void Editor::Parts::leftColumn(Ui& ui, const Rect& rect, Actions& actions) {
+  region("###left", rect, [&](const Rect& room) {
+    const float pad = ui.px(8);
+    Stack column(ui, room.x + pad, room.y + pad, rect.width - 2 * pad);
+    positionPanel(ui, column, session, actions);
+    orientationPanel(ui, column, session, actions);
+    speedPanel(ui, column, session, actions);
+    zoomPanel(ui, column, session, actions);
+    endStack(column, room.y);
+  });
+}
+
+void Editor::Parts::rightColumn(Ui& ui, const Rect& rect, Actions& actions) {
+  region("###right", rect, [&](const Rect& room) {
+    const float pad = ui.px(8);
+    Stack column(ui, room.x + pad, room.y + pad, rect.width - 2 * pad);
+    const Rect picture = cameraPanel(ui, column, session, actions);
+    overCamera = ui.area("camera/picture", picture).hovered;
+    const SharedScene scene = scenes.of(session.flight(), session.path(), [&](const auto& why) {
+      session.say(MessageKind::kError, Text("error.scene", {why}));
+    });
+    pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, scene, viewportState());
+    spherePanel(ui, column, session, graphs, actions);
+    measuresPanel(ui, column, session, graphs);
+    endStack(column, room.y);
+  });
+}
+
+void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
+  region("###viewport", rect, [&](const Rect&) {
+    const SharedScene scene = scenes.of(session.flight(), session.path(), [&](const auto& why) {
+      session.say(MessageKind::kError, Text("error.scene", {why}));
+    });
+    pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, scene, viewportState());
+    if (layout.bare) return;
+    const EditorView& view = session.view().view;
+    const bool perspective = view.type == ProjectionType::Perspective;
+    const std::string name = ui.words(perspective ? "view/perspective" : "view/parallel");
+    const std::string label =
+        name + " \u00b7 " + ui.words("view/turn_short") + " " + ui.number(view.turn, 0) +
+        "\u00b0 \u00b7 " + ui.words("view/tilt_short") + " " + ui.number(view.tilt, 0) + "\u00b0";
+    const float width = std::min(ui.textWidth(label), rect.width - ui.px(28));
+    if (session.display().sliders) {
+      if (const auto next = viewportSliders(ui, rect, session)) actions.view = next;
+    }
+    if (rect.width > ui.px(500)) {
+      ui.text({rect.x + ui.px(14), rect.y + ui.px(10), width, ui.px(20)}, label,
+              {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+    }
+    overViewport = ui.area("view/picture", rect).hovered;
+  });
+}
+
+void Editor::Parts::splitters(Ui& ui, const Rect& all, const Rect& left, const Rect& right,
+                              const Rect& timelineRect, Actions& actions) {
+  const float thick = ui.px(kSplitter);
+  Layout next = layout;
+  const auto change = [&](const char* id, const Rect& rect, bool vertical, float& size, bool& on,
+                          float sign, float least, float most) {
+    const SplitterChange by = splitter(ui, id, rect, vertical);
+    if (by.fold) on = !on;
+    if (by.by != 0.0f && on) size = std::clamp(size + sign * by.by, least, most);
+  };
+  const float height = timelineRect.y - all.y;
+  change("view/left_splitter", {left.right() - thick / 2, all.y, thick, height}, true, next.left,
+         next.leftShown, 1.0f, kLeastColumn, kMostColumn);
+  change("view/right_splitter", {right.x - thick / 2, all.y, thick, height}, true, next.right,
+         next.rightShown, -1.0f, kLeastColumn, kMostColumn);
+  change("view/timeline_splitter", {all.x, timelineRect.y - thick / 2, all.width, thick}, false,
+         next.timeline, next.timelineShown, -1.0f, kLeastTimeline, kMostTimeline);
+  if (next != layout) actions.layout = next;
+}
+
+void Editor::Parts::window(Ui& ui, Actions& actions) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.0f, 0.0f});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+  const float menu = ui.px(kMenuHeight);
+  ImGui::PushStyleVar(
+      ImGuiStyleVar_FramePadding,
+      ImVec2(ui.px(8), std::floor((menu - ui.font(Weight::kRegular)->FontSize) / 2)));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, 0);
+  ImGui::Begin("###window", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoSavedSettings | (layout.bare ? 0 : ImGuiWindowFlags_MenuBar) |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+  if (!layout.bare) {
+    menuBar(
+        ui, session, layout, [this](std::string_view line) { return shortcutOf(line); }, actions);
+  }
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+  if (layout.bare) {
+    viewportArea(ui, {0.0f, 0.0f, size.x, size.y}, actions);
+  } else {
+    arrange(ui, below({0.0f, 0.0f, size.x, size.y}, menu), actions);
+  }
+  ImGui::End();
+}
+
+void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {
+  // What is too large for the window gives way: columns before the viewport.
+  const float bar =
+      layout.timelineShown ? std::min(ui.px(layout.timeline), all.height * 0.5f) : 0.0f;
+  const Rect timelineRect{all.x, all.bottom() - bar, all.width, bar};
+  const float spare = std::max(0.0f, all.width - ui.px(kLeastViewport));
+  const float wantedLeft = layout.leftShown ? ui.px(layout.left) : 0.0f;
+  const float wantedRight = layout.rightShown ? ui.px(layout.right) : 0.0f;
+  const float share = std::min(1.0f, spare / std::max(1.0f, wantedLeft + wantedRight));
+  const float middle = all.height - bar;
+  const Rect left{all.x, all.y, std::floor(wantedLeft * share), middle};
+  const float rightWidth = std::floor(wantedRight * share);
+  const Rect right{all.right() - rightWidth, all.y, rightWidth, middle};
+  const Rect view{left.right(), all.y, std::max(0.0f, right.x - left.right()), middle};
+
+  ui.fill(left, ColourRole::kColumn);
+  ui.fill(right, ColourRole::kColumn);
+  ui.fill(timelineRect, ColourRole::kColumn);
+  splitters(ui, all, left, right, timelineRect, actions);
+  if (!view.empty()) viewportArea(ui, view, actions);
+  if (!left.empty()) leftColumn(ui, left, actions);
+  if (!right.empty()) rightColumn(ui, right, actions);
+  if (!timelineRect.empty()) {
+    region("###timeline", timelineRect, [&](const Rect&) {
+      timelinePanel(ui, timelineRect, session, graphs, timeline, actions);
+    });
+  }
+  const float line = std::max(1.0f, ui.px(1));
+  ui.fill({left.right(), all.y, layout.leftShown ? line : 0.0f, middle}, ColourRole::kWindow);
+  ui.fill({right.x - line, all.y, layout.rightShown ? line : 0.0f, middle}, ColourRole::kWindow);
+  ui.fill({all.x, timelineRect.y, all.width, bar > 0.0f ? line : 0.0f}, ColourRole::kWindow);
+}
+
+}  // namespace vides

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The viewport's and the camera's picture inside the window.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "edit/session.hpp"
+#include "panels/ui.hpp"
+#include "render/failure.hpp"
+#include "render/framebuffer.hpp"
+#include "render/scene_renderer.hpp"
+#include "scene/camera_scene.hpp"
+#include "scene/viewport_scene.hpp"
+
+namespace vides {
+
+// The scene files of a flight, read when the list of files changes.
+class SceneCache {
+ public:
+  // The geometry of all files that can be read; what can't is told to `refused`, once.
+  SharedScene of(const Flight& flight, const std::string& flightPath,
+                 const std::function<void(const std::string&)>& refused);
+
+ private:
+  std::vector<SceneFile> files_;
+  std::string path_;
+  SharedScene scene_;
+};
+
+// The two pictures of a display frame, and how they get into Dear ImGui's draw lists. Each function
+// adds its picture at once and draws it when the lists are drawn: what it was made of must live so
+// long, and setTarget() come before.
+class FlightPictures {
+ public:
+  static tl::expected<std::unique_ptr<FlightPictures>, std::string> create(const Gl& gl);
+
+  // The flight from outside, or, with camera view and viewport swapped, what the camera sees.
+  void viewport(const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
+                const SharedScene& scene, const ViewportState& state);
+  // The other one, in the column.
+  void camera(const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
+              const SharedScene& scene, const ViewportState& state);
+  // Before the lists are drawn: makes the picture in the column, then binds the target again.
+  void prepare(GLuint target, int width, int height);
+
+  // As drawn last; null before. Of the picture that shows the flight from outside.
+  const DrawList* flightList() const { return flightList_; }
+  const ViewportScene& flightScene() const { return flightScene_; }
+  const Rect& viewportRect() const { return viewport_; }
+
+ private:
+  FlightPictures(const Gl& gl, SceneRenderer renderer) : gl_(&gl), renderer_(std::move(renderer)) {}
+  const DrawList& make(bool film, const Ui& ui, const Rect& rect, const Session& session,
+                       const SharedScene& scene, const ViewportState& state);
+  void texts(const Ui& ui, ImDrawList& list, const DrawList& picture, const Rect& clip,
+             const Vec2& offset) const;
+  static void drawViewport(const ImDrawList* list, const ImDrawCmd* command);
+
+  const Gl* gl_;
+  SceneRenderer renderer_;
+  ViewportScene flightScene_;
+  CameraScene filmScene_;
+  const DrawList* flightList_ = nullptr;
+  const DrawList* viewportList_ = nullptr;
+  const DrawList* columnList_ = nullptr;
+  Framebuffer column_;  // the picture in the column, drawn apart: the column clips it
+  Rect viewport_;
+  int width_ = 0, height_ = 0;
+};
+
+}  // namespace vides

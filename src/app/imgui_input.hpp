@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Feeds what the user did to Dear ImGui, in portions that it can tell apart.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "input/input_event.hpp"
+
+struct ImGuiIO;
+
+namespace vides {
+
+// Dear ImGui sees only the state at each display frame: a press and its release, or two keys, in
+// one frame would be lost. Events wait here; a portion is a movement, or one other.
+class ImguiInput {
+ public:
+  // The map of keys; once per context.
+  static void announce(ImGuiIO& io);
+
+  void add(const std::vector<InputEvent>& events);
+  bool waiting() const { return !events_.empty(); }
+  // The next portion goes into `io`; each of its events is given to `seen` first.
+  void feed(ImGuiIO& io, const std::function<void(const InputEvent&)>& seen);
+  // Nothing is pressed any more: the window lost its focus, or its picture.
+  void release(ImGuiIO& io);
+
+ private:
+  std::deque<InputEvent> events_;
+};
+
+}  // namespace vides

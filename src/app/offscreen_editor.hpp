@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The editor without a screen for the commands of the command line: host, player, a flight in it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "app/drive/player.hpp"
+#include "host/open_host.hpp"
+
+namespace vides {
+
+struct OffscreenEditor {
+  std::unique_ptr<OffscreenHost> host;
+  std::unique_ptr<Player> player;  // goes before its host
+};
+
+// Error: a sentence.
+tl::expected<OffscreenEditor, std::string> openOffscreenEditor(OffscreenKind kind, PixelSize size,
+                                                               double contentScale);
+
+// Opens a flight in the editor; "-" is standard input. False where it can't be read: what is wrong
+// went to standard error.
+bool openFlightArgument(Editor& editor, const std::string& flight);
+
+}  // namespace vides

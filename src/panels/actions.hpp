@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What panels hand back: commands by name, with what a gesture does to them, and layout.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edit/command.hpp"
+#include "math/view_projection.hpp"
+#include "panels/ui.hpp"
+
+namespace vides {
+
+// Where the columns end, in pixels at content scale 1; kept in the setup.
+struct Layout {
+  float left = 284.0f;
+  float right = 264.0f;
+  float timeline = 150.0f;
+  bool leftShown = true;
+  bool rightShown = true;
+  bool timelineShown = true;
+  bool bare = false;  // nothing but the viewport's picture
+  bool operator==(const Layout&) const = default;
+};
+
+struct Actions {
+  struct Step {
+    Command command;
+    Phase phase = Phase::kCommit;
+    bool gesture = false;  // one of a row of previews that ends with a commit or cancel
+  };
+  std::vector<Step> steps;
+  std::optional<std::string> noNumber;  // what was typed where a number belongs
+  std::optional<Layout> layout;
+  std::optional<EditorView> view;  // at once; no step of the history
+
+  void run(Command command) { steps.push_back({std::move(command), Phase::kCommit, false}); }
+  // One of a gesture's; the step's name is the command's.
+  void during(Command command, Phase phase) { steps.push_back({std::move(command), phase, true}); }
+  // A typed value: a command, or the refusal.
+  template <class Make>
+  void typed(const Ui::Typed& typed, Make make) {
+    if (typed.refused) noNumber = typed.refused;
+    if (typed.value) run(make(*typed.value));
+  }
+};
+
+}  // namespace vides

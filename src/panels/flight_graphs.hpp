@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What the graphs show of a flight, kept until the flight changes: VPN path, speeds, measures.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "evaluate/evaluation.hpp"
+#include "evaluate/quality.hpp"
+
+namespace vides {
+
+// Speed and angular speed at places of the timeline.
+struct SpeedStrip {
+  std::int64_t firstFrame = 0;
+  double framesPerSample = 1.0;
+  std::vector<float> speed;         // cube units per second
+  std::vector<float> angularSpeed;  // degrees per second
+  float mostSpeed = 0.0f;
+  float mostAngularSpeed = 0.0f;
+};
+
+class FlightGraphs {
+ public:
+  // Call once a display frame, before the rest. Frames of a long flight are measured in portions.
+  void follow(const Evaluation& evaluation);
+
+  // The VPN on the unit sphere, at most kMostPath places over the whole flight, and the section
+  // that each belongs to.
+  struct PathPoint {
+    Vec3 direction{0.0};
+    std::int64_t frame = 0;
+  };
+  static constexpr std::int64_t kMostPath = 720;
+  const std::vector<PathPoint>& path();
+
+  // Between two frames, a sample a pixel.
+  const SpeedStrip& strip(std::int64_t firstFrame, double framesPerSample, int samples);
+
+  // Nothing while it is still being measured.
+  const std::optional<Quality>& quality() const { return quality_; }
+  // Whether another display frame is wanted to go on measuring.
+  bool measuring() const { return !quality_; }
+
+ private:
+  // Frames that are measured in a display frame: about a millisecond's.
+  static constexpr std::int64_t kPortion = 4000;
+  void measurePortion();
+
+  std::optional<Evaluation> evaluation_;
+  std::vector<PathPoint> path_;
+  SpeedStrip strip_;
+  std::optional<Quality> quality_;
+  std::optional<FrameWalk> walk_;
+  std::optional<Frame> lastFrame_;
+  Quality soFar_;
+};
+
+}  // namespace vides

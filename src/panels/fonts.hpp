@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The typeface of the interface: Inter in two weights and two sizes, digits on one advance width.
+//
+// Inter is put into the program when it is built; a build without it takes the file from the system
+// when it runs, and without that Dear ImGui's own bitmap typeface, which has fewer characters:
+// shown() then writes the ones it lacks in plainer ones.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+struct ImFont;
+struct ImFontAtlas;
+
+namespace vides {
+
+inline constexpr double kLeastContentScale = 0.75;
+inline constexpr double kMostContentScale = 3.0;
+
+// The fonts of one atlas; valid until the atlas is built again.
+struct Fonts {
+  ImFont* regular = nullptr;   // controls and text
+  ImFont* semibold = nullptr;  // headings and values
+  ImFont* small = nullptr;     // ruler and marks
+  bool plain = false;          // Inter is missing
+};
+
+// Clears the atlas and fills it for a content scale (clamped into the range above). Between
+// frames only. The pixels are the renderer's to upload.
+Fonts buildFonts(ImFontAtlas& atlas, double contentScale);
+
+// The text as the fonts can show it: unchanged with Inter; otherwise « … − and their like become
+// plain ASCII.
+std::string shown(const Fonts& fonts, std::string_view text);
+
+}  // namespace vides

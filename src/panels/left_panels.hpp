@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The left column, the paper's four areas: position and curve, orientation, speed, zoom.
+#pragma once
+
+#include "edit/session.hpp"
+#include "panels/actions.hpp"
+#include "panels/ui.hpp"
+
+namespace vides {
+
+// Each adds itself to the column and what the user asks for to the actions.
+void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+void orientationPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+void speedPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+
+// A button that runs a command, given as its line; greyed where the session can't.
+void commandButton(Ui& ui, std::string_view id, const Rect& rect, std::string_view command,
+                   const Session& session, Actions& actions, ButtonStyle style = {});
+
+// A row whose label stands left of three columns that are in line over all panels.
+struct ThreeColumns {
+  Rect label;
+  Rect values[3];
+};
+ThreeColumns threeColumns(const Ui& ui, const Rect& row);
+// As many decimals (at most 3) as fit.
+int fittingDecimals(const Ui& ui, const Rect& box, double value, int most);
+
+}  // namespace vides

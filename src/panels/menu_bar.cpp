@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// The menus, the output line, the flight's name.
+#include "panels/menu_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edit/command_table.hpp"
+
+namespace vides {
+namespace {
+
+// A tick stands before what is on.
+bool ticked(std::string_view id, const Session& session, const Layout& layout) {
+  const EditorView& view = session.view().view;
+  if (id == "menu/view/perspective") return view.type == ProjectionType::Perspective;
+  if (id == "menu/view/swap") return session.view().swapped;
+  if (id == "menu/view/left_column") return layout.leftShown;
+  if (id == "menu/view/right_column") return layout.rightShown;
+  if (id == "menu/view/timeline") return layout.timelineShown;
+  if (id == "menu/view/sliders") return session.display().sliders;
+  if (id == "menu/view/full_screen") return session.fullScreen();
+  if (id == "menu/settings/english") return session.display().language == Language::kEnglish;
+  if (id == "menu/settings/german") return session.display().language != Language::kEnglish;
+  return false;
+}
+
+// Entries that fold parts of the window, which the session knows nothing of.
+bool layoutEntry(std::string_view id, Layout layout, Actions& actions) {
+  if (id == "menu/view/left_column") {
+    layout.leftShown = !layout.leftShown;
+  } else if (id == "menu/view/right_column") {
+    layout.rightShown = !layout.rightShown;
+  } else if (id == "menu/view/timeline") {
+    layout.timelineShown = !layout.timelineShown;
+  } else {
+    return false;
+  }
+  actions.layout = layout;
+  return true;
+}
+
+bool canRun(const Session& session, const std::string& line) {
+  const std::string command = line.substr(0, line.find(' '));
+  return findCommand(command) != nullptr && session.available(command);
+}
+
+std::string labelOf(const Ui& ui, const Session& session, const std::string& id) {
+  if (id == "menu/edit/undo") {
+    if (const auto name = session.undoName()) return ui.tell(*name);
+  }
+  if (id == "menu/edit/redo") {
+    if (const auto name = session.redoName()) return ui.tell(*name);
+  }
+  return ui.words(id);
+}
+
+void entry(Ui& ui, const MenuEntry& item, const Session& session, const Layout& layout,
+           const ShortcutHint& hint, Actions& actions) {
+  const bool isLayout = item.command.empty();
+  const bool enabled = isLayout || canRun(session, item.command);
+  const std::string label = labelOf(ui, session, item.id);
+  const bool tick = ticked(item.id, session, layout);
+  const std::string keys = isLayout ? std::string() : hint(item.command);
+  const bool chosen =
+      ImGui::MenuItem((label + "###" + item.id).c_str(), keys.c_str(), tick, enabled);
+  ui.note(item.id, label, WidgetKind::kMenuItem, enabled, tick ? "on" : "");
+  if (!chosen) return;
+  if (isLayout) {
+    static_cast<void>(layoutEntry(item.id, layout, actions));
+  } else if (auto command = parseCommand(item.command)) {
+    actions.run(std::move(*command));
+  }
+}
+
+void recentFiles(Ui& ui, const Session& session, Actions& actions) {
+  const auto& files = session.recentFiles();
+  const std::string label = ui.words("menu/file/recent") + "###menu/file/recent";
+  const bool open = ImGui::BeginMenu(label.c_str(), !files.empty());
+  ui.note("menu/file/recent", ui.words("menu/file/recent"), WidgetKind::kMenu, !files.empty());
+  if (!open) return;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string id = "menu/file/recent_" + std::to_string(i);
+    if (ImGui::MenuItem((files[i] + "###" + id).c_str())) {
+      actions.run(Command("open", files[i]));
+    }
+    ui.note(id, files[i], WidgetKind::kMenuItem, true);
+  }
+  ImGui::EndMenu();
+}
+
+void outputLine(Ui& ui, const Rect& bar, const Session& session) {
+  const float pad = ui.px(12);
+  const std::string title = ui.tell(session.title());
+  const float titleWidth = std::min(ui.textWidth(title, Weight::kSemibold), bar.width * 0.4f);
+  const Rect titleBox{bar.right() - pad - titleWidth, bar.y, titleWidth, bar.height};
+  ui.text(titleBox, title,
+          {.weight = Weight::kSemibold, .align = Align::kRight, .mayShorten = true});
+  const OutputLine output = session.output();
+  const bool wrong = output.kind == MessageKind::kRefusal || output.kind == MessageKind::kError;
+  const Rect box{bar.x + pad, bar.y, titleBox.x - bar.x - 2 * pad - ui.px(4), bar.height};
+  if (box.width > ui.px(20)) {
+    ui.text(box, ui.tell(output.text),
+            {.colour = wrong                               ? ColourRole::kError
+                       : output.kind == MessageKind::kDone ? ColourRole::kText
+                                                           : ColourRole::kTextSecondary,
+             .align = Align::kRight,
+             .mayShorten = true});
+  }
+}
+
+}  // namespace
+
+const std::vector<Menu>& menus() {
+  static const std::vector<Menu> table = {
+      {"menu/file",
+       {{"menu/file/new", "new"},
+        {"menu/file/open", "open"},
+        {"menu/file/recent", ""},
+        {"", ""},
+        {"menu/file/save", "save"},
+        {"menu/file/save_as", "save-as"},
+        {"menu/file/revert", "revert"},
+        {"", ""},
+        {"menu/file/import", "import-scene"},
+        {"menu/file/flight", "show-window flight"},
+        {"", ""},
+        {"menu/file/quit", "quit"}}},
+      {"menu/edit",
+       {{"menu/edit/undo", "undo"},
+        {"menu/edit/redo", "redo"},
+        {"", ""},
+        {"menu/edit/cut", "cut"},
+        {"menu/edit/copy", "copy"},
+        {"menu/edit/paste", "paste"},
+        {"menu/edit/duplicate", "duplicate-keys"},
+        {"menu/edit/delete", "delete-keys"},
+        {"menu/edit/select_all", "select-all"}}},
+      {"menu/view",
+       {{"menu/view/front", "view front"},
+        {"menu/view/side", "view side"},
+        {"menu/view/top", "view top"},
+        {"menu/view/iso", "view iso"},
+        {"menu/view/opposite", "view-opposite"},
+        {"menu/view/camera", "view-camera"},
+        {"", ""},
+        {"menu/view/perspective", "perspective"},
+        {"menu/view/frame_selection", "frame-selection"},
+        {"menu/view/frame_all", "frame-all"},
+        {"menu/view/swap", "swap-views"},
+        {"", ""},
+        {"menu/view/left_column", ""},
+        {"menu/view/right_column", ""},
+        {"menu/view/timeline", ""},
+        {"menu/view/sliders", "show-element sliders"},
+        {"", ""},
+        {"menu/view/full_screen", "full-screen"}}},
+      {"menu/output",
+       {{"menu/output/frames", "show-window frames"}, {"menu/output/host", "hand-over"}}},
+      {"menu/settings",
+       {{"menu/settings/display", "show-window settings"},
+        {"", ""},
+        {"menu/settings/english", "language en"},
+        {"menu/settings/german", "language de"},
+        {"", ""},
+        {"menu/settings/load", "show-window chooser-setup"},
+        {"menu/settings/save", "save-setup"}}},
+      {"menu/help", {{"menu/help/shortcuts", "show-window shortcuts"}}},
+  };
+  return table;
+}
+
+void menuBar(Ui& ui, const Session& session, const Layout& layout, const ShortcutHint& hint,
+             Actions& actions) {
+  if (!ImGui::BeginMenuBar()) return;
+  const ImVec2 corner = ImGui::GetWindowPos();
+  float end = corner.x;
+  for (const Menu& menu : menus()) {
+    const std::string label = ui.words(menu.id);
+    const bool open = ImGui::BeginMenu((label + "###" + menu.id).c_str());
+    ui.note(menu.id, label, WidgetKind::kMenu, true, open ? "open" : "");
+    end = ImGui::GetItemRectMax().x;
+    if (!open) continue;
+    for (const MenuEntry& item : menu.entries) {
+      if (item.id.empty()) {
+        ImGui::Separator();
+      } else if (item.id == "menu/file/recent") {
+        recentFiles(ui, session, actions);
+      } else {
+        entry(ui, item, session, layout, hint, actions);
+      }
+    }
+    ImGui::EndMenu();
+  }
+  const float height = ImGui::GetFrameHeight();
+  outputLine(ui, {end, corner.y, corner.x + ImGui::GetWindowWidth() - end, height}, session);
+  ImGui::EndMenuBar();
+}
+
+}  // namespace vides

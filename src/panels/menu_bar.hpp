@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The menus, and at their right the output line and the flight's name.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edit/session.hpp"
+#include "panels/actions.hpp"
+#include "panels/ui.hpp"
+
+namespace vides {
+
+// An entry of a menu: an identifier `menu/MENU/NAME`, and the line of the command that it runs.
+struct MenuEntry {
+  std::string id;
+  std::string command;
+};
+struct Menu {
+  std::string id;                  // "menu/file"
+  std::vector<MenuEntry> entries;  // an entry without identifier is a line between two groups
+};
+// All of them, in their order: the menu bar and the list of widgets are made from it.
+const std::vector<Menu>& menus();
+
+// What the keyboard has for a command's line ("Ctrl+Z"); empty where it has nothing.
+using ShortcutHint = std::function<std::string(std::string_view commandLine)>;
+
+// Inside a window's menu bar.
+void menuBar(Ui& ui, const Session& session, const Layout& layout, const ShortcutHint& hint,
+             Actions& actions);
+
+}  // namespace vides

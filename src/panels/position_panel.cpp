@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Position & curve: keys come, go and are stepped through; where the current one is and its shape.
+#include <fmt/format.h>
+
+#include "panels/left_panels.hpp"
+
+namespace vides {
+namespace {
+
+constexpr float kRow = 22.0f;
+
+// Positions are shown in cube or scene units.
+Vec3 inUnits(const Session& session, const Vec3& cube) {
+  return session.display().units == Units::kScene ? session.flight().space.toWorld(cube) : cube;
+}
+
+void positionRow(Ui& ui, const Rect& row, const Session& session, Actions& actions) {
+  const ThreeColumns columns = threeColumns(ui, row);
+  ui.text(columns.label, ui.words("position/place"), {.colour = ColourRole::kTextSecondary});
+  const Vec3 shownAt = inUnits(session, session.currentKey().position);
+  constexpr const char* kIds[] = {"position/x", "position/y", "position/z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Rect& box = columns.values[axis];
+    const auto typed = ui.field(
+        kIds[axis], box, shownAt[axis],
+        {.decimals = fittingDecimals(ui, box, shownAt[axis], 3), .weight = Weight::kSemibold});
+    actions.typed(typed, [&](double value) {
+      Vec3 at = shownAt;
+      at[axis] = value;
+      if (session.display().units == Units::kScene) at = session.flight().space.toCube(at);
+      return Command("move-key", session.current().key, at);
+    });
+  }
+}
+
+void shapeRow(Ui& ui, const Rect& row, const Session& session, std::size_t index, bool current,
+              Actions& actions) {
+  const ThreeColumns columns = threeColumns(ui, row);
+  const Key& key = session.flight().keys[index];
+  const std::string preset = key.shape.preset == KeyShape::kOwn ? ui.words("position/own")
+                                                                : std::to_string(key.shape.preset);
+  ui.text(columns.label,
+          fmt::format("{} {} \u00b7 {}", ui.words("position/key"), index + 1, preset),
+          {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+  const Shape& shape = shapeOf(session.flight(), key);
+  struct Part {
+    const char* id;
+    const char* nextId;
+    const char* letter;
+    const char* command;
+    double value;
+  };
+  const Part parts[] = {
+      {"position/bias", "position/next_bias", "b", "set-bias", shape.bias},
+      {"position/continuity", "position/next_continuity", "c", "set-continuity", shape.continuity},
+      {"position/tension", "position/next_tension", "t", "set-tension", shape.tension}};
+  for (int i = 0; i < 3; ++i) {
+    const Part& part = parts[i];
+    // The next key's are shown for comparison; typed at are those of the current one.
+    const auto typed = ui.field(
+        current ? part.id : part.nextId, columns.values[i], part.value,
+        {.decimals = 2, .prefix = part.letter, .readOnly = !current, .weight = Weight::kSemibold});
+    actions.typed(typed, [&](double value) { return Command(part.command, value); });
+  }
+}
+
+}  // namespace
+
+void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) {
+  panel(ui, column, "panel/position", [&](Stack& rows) {
+    auto row = split(ui, rows.row(kRow), 4);
+    commandButton(ui, "position/insert", row[0], "insert-key", session, actions);
+    commandButton(ui, "position/insert_many", row[1], "show-window insert-keys", session, actions);
+    commandButton(ui, "position/append", row[2], "append-key", session, actions);
+    commandButton(ui, "position/delete", row[3], "delete-keys", session, actions);
+    rows.gap(4);
+    row = split(ui, rows.row(kRow), 2);
+    commandButton(ui, "position/previous", row[0], "previous-key", session, actions);
+    commandButton(ui, "position/next", row[1], "next-key", session, actions);
+    rows.gap(6);
+    positionRow(ui, rows.row(kRow), session, actions);
+    rows.gap(4);
+    const std::size_t current = session.current().key;
+    shapeRow(ui, rows.row(kRow), session, current, true, actions);
+    rows.gap(4);
+    const std::size_t next = (current + 1) % session.flight().keys.size();
+    shapeRow(ui, rows.row(kRow), session, next, false, actions);
+    rows.gap(4);
+    commandButton(ui, "position/change", rows.row(kRow), "show-window shape", session, actions);
+  });
+}
+
+}  // namespace vides

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The right column: what the camera sees, the orientation sphere, the flight's measures.
+#pragma once
+
+#include "edit/session.hpp"
+#include "panels/actions.hpp"
+#include "panels/flight_graphs.hpp"
+#include "panels/ui.hpp"
+
+namespace vides {
+
+// The camera's picture is drawn by somebody else: returns the room for it.
+Rect cameraPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs,
+                 Actions& actions);
+void measuresPanel(Ui& ui, Stack& column, const Session& session, const FlightGraphs& graphs);
+
+}  // namespace vides

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+// The timeline.
+#include "panels/timeline_panel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "panels/left_panels.hpp"
+
+namespace vides {
+namespace {
+
+constexpr double kLeastFramesPerPixel = 1.0 / 40.0;
+
+// Frames to pixels and back.
+struct Track {
+  float left = 0.0f, right = 0.0f;
+  double firstFrame = 0.0;
+  double framesPerPixel = 1.0;
+  std::int64_t frames = 1;
+  float x(double frame) const {
+    return left + static_cast<float>((frame - firstFrame) / framesPerPixel);
+  }
+  double frame(float px) const {
+    return firstFrame + static_cast<double>(px - left) * framesPerPixel;
+  }
+  std::int64_t nearest(float px) const {
+    return std::clamp<std::int64_t>(std::llround(frame(px)), 0, frames - 1);
+  }
+  bool sees(float px) const { return px >= left - 1.0f && px <= right + 1.0f; }
+};
+
+void transport(Ui& ui, const Rect& row, const Session& session, TimelineView& view,
+               Actions& actions) {
+  float x = row.x;
+  const auto place = [&](float width) {
+    const Rect result{x, row.y, ui.px(width), row.height};
+    x += ui.px(width + 4);
+    return result;
+  };
+  const auto run = [&](const char* command) { actions.run(Command(command)); };
+  if (ui.iconButton("timeline/first", place(32), Icon::kFirst)) run("first-frame");
+  const bool playing = session.playback().playing();
+  if (ui.iconButton("timeline/play", place(32), playing ? Icon::kPause : Icon::kPlay,
+                    {.on = playing, .toggle = true})) {
+    run("play");
+  }
+  if (ui.iconButton("timeline/last", place(32), Icon::kLast)) run("last-frame");
+  if (ui.button("timeline/loop", place(52), {.on = session.playback().loop(), .toggle = true})) {
+    run("loop");
+  }
+  if (ui.button("timeline/fit", place(72), {.enabled = !view.fit})) view.fit = true;
+  x += ui.px(6);
+
+  // Frame and time, every number in a place of its own width so that nothing moves.
+  const double fps = session.flight().frameRate;
+  const std::int64_t last = session.evaluation().frameCount() - 1;
+  const auto label = [&](const std::string& words, Weight weight, ColourRole role, float width,
+                         Align align) {
+    ui.text({x, row.y, width, row.height}, words,
+            {.colour = role, .weight = weight, .align = align});
+    x += width;
+  };
+  const auto plain = [&](const std::string& words) {
+    label(words, Weight::kRegular, ColourRole::kTextSecondary, ui.textWidth(words), Align::kLeft);
+  };
+  const std::string digits(std::to_string(last).size(), '0');
+  plain(ui.words("frame_title") + " ");
+  label(std::to_string(session.frame()), Weight::kSemibold, ColourRole::kText,
+        ui.textWidth(digits, Weight::kSemibold), Align::kRight);
+  plain(fmt::format(" {} {}  \u00b7  ", ui.words("of"), last));
+  const double time = static_cast<double>(session.frame()) / fps;
+  const auto minutes = static_cast<int>(time / 60.0);
+  const std::string clock =
+      fmt::format("{:02}:{}{}", minutes, time - 60.0 * minutes < 10.0 ? "0" : "",
+                  ui.number(std::floor((time - 60.0 * minutes) * 100.0) / 100.0, 2));
+  label(clock, Weight::kSemibold, ColourRole::kText, ui.textWidth(clock, Weight::kSemibold),
+        Align::kLeft);
+  plain(fmt::format("  \u00b7  {} {}", ui.number(fps, fps == std::floor(fps) ? 0 : 2),
+                    ui.words("frames_per_second")));
+
+  // The strip's legend at the right: a line in the colour and a word.
+  float right = row.right();
+  const auto legend = [&](ColourRole role, const std::string& words) {
+    const float width = ui.textWidth(words, Weight::kSmall);
+    if (right - width - ui.px(30) < x) return;
+    ui.text({right - width, row.y, width, row.height}, words,
+            {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall});
+    right -= width + ui.px(6);
+    const float y = std::round(row.centreY());
+    ImGui::GetWindowDrawList()->AddLine({right - ui.px(16), y}, {right, y}, ui.colour(role),
+                                        2.0f * ui.scale());
+    right -= ui.px(32);
+  };
+  legend(ColourRole::kAim, ui.words("timeline/turn_rate"));
+  legend(ColourRole::kCurve, ui.words("timeline/speed"));
+}
+
+void ruler(Ui& ui, const Rect& row, const Track& track, double fps) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const double step = rulerStep(track.framesPerPixel, fps, static_cast<double>(ui.px(72)));
+  const bool inSeconds = step >= fps;
+  const int parts = inSeconds && std::fmod(step / fps, 5.0) != 0.0 && step / fps != 1.0 ? 2 : 5;
+  const double least = step / parts;
+  const auto from = static_cast<std::int64_t>(std::ceil(track.firstFrame / least - 1e-9));
+  const double end = std::min(static_cast<double>(track.frames - 1), track.frame(track.right));
+  for (std::int64_t i = std::max<std::int64_t>(0, from);
+       static_cast<double>(i) * least <= end + 1e-9; ++i) {
+    const double frame = static_cast<double>(i) * least;
+    const float x = std::round(track.x(frame)) + 0.5f;
+    const bool strong = i % parts == 0;
+    list.AddLine({x, row.bottom() - ui.px(strong ? 10 : 5)}, {x, row.bottom()},
+                 ui.colour(strong ? ColourRole::kCube : ColourRole::kBorder), 1.0f);
+    if (!strong) continue;
+    const double seconds = frame / fps;
+    const std::string words =
+        inSeconds ? fmt::format("{} s", ui.number(seconds, 0))
+                  : fmt::format("{}", static_cast<std::int64_t>(std::llround(frame)));
+    const float width = ui.textWidth(words, Weight::kSmall);
+    if (x + ui.px(4) + width > row.right()) continue;
+    ui.text({x + ui.px(4), row.y, width, row.height - ui.px(8)}, words,
+            {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall});
+  }
+}
+
+std::string kindWord(const Ui& ui, SectionKind kind) {
+  return ui.words("kind/" + std::string(name(kind)));
+}
+
+// From left to right, never more bars than pixels: what is narrower shares a pixel.
+void sections(Ui& ui, const Rect& row, const Track& track, const Session& session,
+              Actions& actions) {
+  const Evaluation& evaluation = session.evaluation();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto state = ui.area("timeline/sections", row);
+  const float pointer = ImGui::GetIO().MousePos.x;
+  std::optional<Rect> currentBar;
+  auto frame = static_cast<std::int64_t>(std::max(0.0, std::floor(track.firstFrame)));
+  while (frame < track.frames && track.x(static_cast<double>(frame)) < track.right) {
+    const auto section = evaluation.sectionAtFrame(frame);
+    if (!section) break;
+    const double end = static_cast<double>(section->firstFrame + section->frames);
+    const float left = std::max(track.left, track.x(static_cast<double>(section->firstFrame)));
+    const float right = std::min(track.right, track.x(end));
+    const float gap = right - left > 3.0f * ui.scale() ? 0.5f * ui.scale() : 0.0f;
+    const Rect bar{left + gap, row.y, right - left - 2 * gap, row.height};
+    const bool hovered = state.hovered && pointer >= left && pointer < right;
+    ui.fill(bar, roleOf(section->kind), 2.0f, hovered ? 1.0 : 0.85);
+    const bool current = section->from == session.current() && section->kind != SectionKind::kHold;
+    if (current) currentBar = bar;
+    const std::string words = kindWord(ui, section->kind);
+    if (ui.textWidth(words, Weight::kSmall) + ui.px(12) <= bar.width) {
+      ui.text({bar.x + ui.px(6), bar.y, bar.width - ui.px(12), bar.height}, words,
+              {.weight = Weight::kSmall});
+    }
+    if (hovered && state.released) {
+      actions.run(Command("make-current", section->from.key, section->from.orientation));
+    }
+    frame = std::max(static_cast<std::int64_t>(end),
+                     static_cast<std::int64_t>(std::ceil(track.frame(right))));
+  }
+  if (currentBar) {
+    list.AddRect({currentBar->x, currentBar->y}, {currentBar->right(), currentBar->bottom()},
+                 ui.colour(ColourRole::kAccent), 2.0f * ui.scale(), 0, 1.6f * ui.scale());
+  }
+}
+
+void marks(Ui& ui, const Rect& row, const Track& track, const Session& session, Actions& actions) {
+  const Evaluation& evaluation = session.evaluation();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto state = ui.area("timeline/marks", row);
+  const float pointer = ImGui::GetIO().MousePos.x;
+  const KeyList& keys = session.flight().keys;
+  const auto frameOfKey = [&](std::size_t k) {
+    return static_cast<double>(evaluation.frameOf({k, 0}));
+  };
+  // Keys stand in the order of their frames: the first that is seen by bisection.
+  std::size_t low = 0;
+  std::size_t high = keys.size();
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (track.x(frameOfKey(middle)) < track.left - 1.0f) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  // A key's later orientations may be seen where its first isn't.
+  if (low > 0) --low;
+  std::optional<OrientationPlace> clicked;
+  float best = ui.px(6);
+  float drawnAt = -1e9f;
+  const auto mark = [&](const OrientationPlace& place) {
+    const float x = track.x(static_cast<double>(evaluation.frameOf(place)));
+    if (!track.sees(x)) return;
+    const bool current = place == session.current();
+    if (state.released && std::abs(pointer - x) < best) {
+      best = std::abs(pointer - x);
+      clicked = place;
+    }
+    if (!current && x - drawnAt < 1.0f) return;
+    drawnAt = x;
+    const bool isKey = place.orientation == 0;
+    const bool selected = isKey && session.selected().contains(place.key);
+    const float radius = ui.scale() * (isKey ? 3.6f : 2.2f);
+    const ColourRole role = current ? ColourRole::kAccent : ColourRole::kKey;
+    list.AddCircleFilled({x, row.centreY()}, radius, ui.colour(role));
+    if (selected && session.selected().size() > 1) {
+      list.AddCircle({x, row.centreY()}, radius + 2.0f * ui.scale(), ui.colour(role), 0,
+                     1.2f * ui.scale());
+    }
+  };
+  for (std::size_t k = low; k < keys.size(); ++k) {
+    if (track.x(frameOfKey(k)) > track.right + 1.0f) break;
+    for (std::size_t o = 0; o < keys[k].orientations.size(); ++o) mark({k, o});
+  }
+  if (clicked) actions.run(Command("make-current", clicked->key, clicked->orientation));
+}
+
+void strip(Ui& ui, const Rect& row, const Track& track, FlightGraphs& graphs) {
+  if (row.height < ui.px(8)) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const double end = std::min(static_cast<double>(track.frames - 1), track.frame(track.right));
+  const int samples = static_cast<int>((end - track.firstFrame) / track.framesPerPixel) + 1;
+  if (samples < 2) return;
+  const SpeedStrip& speeds = graphs.strip(static_cast<std::int64_t>(std::floor(track.firstFrame)),
+                                          track.framesPerPixel, samples);
+  std::vector<ImVec2> points(speeds.speed.size());
+  const auto draw = [&](const std::vector<float>& values, float most, ColourRole role) {
+    if (most <= 0.0f) most = 1.0f;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      points[i] = {track.left + static_cast<float>(i),
+                   row.bottom() - ui.px(2) - (row.height - ui.px(4)) * values[i] / most};
+    }
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), ui.colour(role), 0,
+                     1.4f * ui.scale());
+  };
+  draw(speeds.angularSpeed, speeds.mostAngularSpeed, ColourRole::kAim);
+  draw(speeds.speed, speeds.mostSpeed, ColourRole::kCurve);
+}
+
+void playhead(Ui& ui, const Rect& ruler, float bottom, const Track& track, const Session& session,
+              Actions& actions) {
+  const auto state = ui.area("timeline/playhead", ruler, std::to_string(session.frame()));
+  if (state.held) {
+    const std::int64_t frame = track.nearest(ImGui::GetIO().MousePos.x);
+    if (frame != session.frame()) actions.run(Command("go-to-frame", frame));
+  }
+  const float x = std::round(track.x(static_cast<double>(session.frame())));
+  if (!track.sees(x)) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 ink = ui.colour(ColourRole::kPlayhead);
+  const float top = ruler.bottom() - ui.px(19);
+  const float half = ui.px(state.hovered || state.held ? 7 : 6);
+  list.AddTriangleFilled({x - half, top}, {x, top + ui.px(8)}, {x + half, top}, ink);
+  const float width = std::max(1.0f, std::round(1.4f * ui.scale()));
+  list.AddRectFilled({x - width / 2, top + ui.px(6)}, {x + width / 2, bottom}, ink);
+}
+
+// Wheel: finer or coarser about the pointer; middle button: along.
+void navigate(Ui& ui, const Rect& rect, Track& track, TimelineView& view) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool over = ImGui::IsWindowHovered() && rect.contains(io.MousePos.x, io.MousePos.y);
+  const double all = static_cast<double>(std::max<std::int64_t>(1, track.frames - 1));
+  const double width = static_cast<double>(track.right - track.left);
+  const double coarsest = all / width;
+  if (over && io.MouseWheel != 0.0f) {
+    const double under = track.frame(io.MousePos.x);
+    const double next =
+        std::clamp(view.framesPerPixel * std::pow(1.25, -static_cast<double>(io.MouseWheel)),
+                   std::min(kLeastFramesPerPixel, coarsest), coarsest);
+    view.firstFrame = under - static_cast<double>(io.MousePos.x - track.left) * next;
+    view.framesPerPixel = next;
+    view.fit = next >= coarsest;
+  }
+  if (over && ImGui::IsMouseClicked(2)) {
+    view.panning = true;
+    view.panFrom = io.MousePos.x;
+    view.panFirst = view.firstFrame;
+  }
+  if (!ImGui::IsMouseDown(2)) view.panning = false;
+  if (view.panning && !view.fit) {
+    view.firstFrame =
+        view.panFirst - static_cast<double>(io.MousePos.x - view.panFrom) * view.framesPerPixel;
+  }
+  if (view.fit) {
+    view.firstFrame = 0.0;
+    view.framesPerPixel = coarsest;
+  }
+  view.framesPerPixel = std::min(view.framesPerPixel, coarsest);
+  view.firstFrame =
+      std::clamp(view.firstFrame, 0.0, std::max(0.0, all - width * view.framesPerPixel));
+  track.firstFrame = view.firstFrame;
+  track.framesPerPixel = view.framesPerPixel;
+  static_cast<void>(ui);
+}
+
+}  // namespace
+
+double rulerStep(double framesPerPixel, double frameRate, double least) {
+  const double wanted = framesPerPixel * least;
+  for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
+    if (step < frameRate && step >= wanted) return step;
+  }
+  for (const double seconds :
+       {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0}) {
+    if (seconds * frameRate >= wanted) return seconds * frameRate;
+  }
+  double hours = 3600.0 * frameRate;
+  while (hours < wanted) hours *= 2.0;
+  return hours;
+}
+
+void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraphs& graphs,
+                   TimelineView& view, Actions& actions) {
+  const Rect row{rect.x + ui.px(8), rect.y + ui.px(6), rect.width - ui.px(16), ui.px(22)};
+  transport(ui, row, session, view, actions);
+  Track track;
+  track.left = rect.x + ui.px(18);
+  track.right = std::max(track.left + 1.0f, rect.right() - ui.px(18));
+  track.frames = session.evaluation().frameCount();
+  track.firstFrame = view.firstFrame;
+  track.framesPerPixel = view.framesPerPixel;
+  const Rect below{rect.x, row.bottom(), rect.width, rect.bottom() - row.bottom()};
+  navigate(ui, below, track, view);
+
+  const float width = track.right - track.left;
+  const Rect rulerRow{track.left, row.bottom() + ui.px(4), width, ui.px(30)};
+  ruler(ui, rulerRow, track, session.flight().frameRate);
+  const Rect bars{track.left, rulerRow.bottom() + ui.px(2), width, ui.px(20)};
+  sections(ui, bars, track, session, actions);
+  const Rect markRow{track.left - ui.px(8), bars.bottom() + ui.px(1), width + ui.px(16), ui.px(12)};
+  marks(ui, markRow, track, session, actions);
+  const Rect stripRow{track.left, markRow.bottom() + ui.px(2), width,
+                      rect.bottom() - ui.px(8) - markRow.bottom() - ui.px(2)};
+  strip(ui, stripRow, track, graphs);
+  playhead(ui, {rulerRow.x - ui.px(8), rulerRow.y, rulerRow.width + ui.px(16), rulerRow.height},
+           std::max(markRow.bottom(), stripRow.bottom()), track, session, actions);
+}
+
+}  // namespace vides

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The timeline: transport, ruler, sections by kind, marks, playhead, speed and angular speed.
+#pragma once
+
+#include <optional>
+
+#include "edit/session.hpp"
+#include "panels/actions.hpp"
+#include "panels/flight_graphs.hpp"
+#include "panels/ui.hpp"
+
+namespace vides {
+
+// Which part of the flight is seen; kept between display frames.
+struct TimelineView {
+  bool fit = true;          // all of it; the two below are then set by the panel
+  double firstFrame = 0.0;  // at the left edge
+  double framesPerPixel = 1.0;
+  bool panning = false;
+  float panFrom = 0.0f;   // pointer at the press
+  double panFirst = 0.0;  // firstFrame at the press
+};
+
+void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraphs& graphs,
+                   TimelineView& view, Actions& actions);
+
+// Frames between two labelled marks of the ruler: 1, 2, 5 × 10^n frames or 1, 2, 5, 10, 15, 30, 60…
+// seconds, at least `least` pixels apart.
+double rulerStep(double framesPerPixel, double frameRate, double least);
+
+}  // namespace vides

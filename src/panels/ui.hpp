@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// What panels are made of: places on the 4-pixel grid, texts in boxes, and our own widgets.
+//
+// Dear ImGui carries input, text editing, menus and draw lists; how things look and where they
+// stand is decided here. All places are in pixels of the picture. Each widget has an identifier
+// AREA/NAME, which is the ### part of its label, and tells the registry where it stands.
+#pragma once
+
+#include <imgui.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edit/text.hpp"
+#include "panels/fonts.hpp"
+#include "panels/widget_registry.hpp"
+#include "scene/theme.hpp"
+
+namespace vides {
+
+enum class Align { kLeft, kCentre, kRight };
+enum class Weight { kRegular, kSemibold, kSmall };
+
+struct TextStyle {
+  ColourRole colour = ColourRole::kText;
+  Weight weight = Weight::kRegular;
+  Align align = Align::kLeft;
+  bool mayShorten = false;  // a text of the user's: ends with … where it is too long
+};
+
+// What a hand does to a value: while it moves, previews; the last one commits.
+enum class Phase { kPreview, kCommit, kCancel };
+struct ValueChange {
+  double value = 0.0;
+  Phase phase = Phase::kCommit;
+};
+
+struct ButtonStyle {
+  bool enabled = true;
+  bool on = false;      // a toggle's state
+  bool toggle = false;  // tells lists of widgets that it is one
+  bool quiet = false;   // no ground until the pointer is over it
+  Align align = Align::kCentre;
+  std::string tooltip = {};  // in words; empty: that of the identifier, if it has one
+};
+
+struct SliderStyle {
+  double least = 0.0;
+  double most = 1.0;
+  bool logarithmic = false;
+  bool vertical = false;  // the least is at the bottom
+  bool enabled = true;
+  int decimals = 2;
+};
+
+struct FieldStyle {
+  int decimals = 3;
+  std::string prefix = {};  // in the secondary colour, at the left: "x"
+  std::string suffix = {};  // behind the number: " s"
+  bool enabled = true;
+  bool readOnly = false;  // shown like text, without a ground
+  Weight weight = Weight::kRegular;
+};
+
+// The triangles and bars that the typeface lacks.
+enum class Icon { kPlay, kPause, kFirst, kLast, kChevronLeft, kChevronRight, kChevronDown, kLoop };
+
+// What stays between display frames: the field that is being typed into, the slider being dragged.
+struct UiMemory {
+  std::string editing;  // identifier of the field or slider that takes text
+  std::string buffer;   // what was typed
+  bool editingStarted = false;
+  std::string dragging;       // slider
+  double dragStart = 0.0;     // its value at the press
+  float dragOffset = 0.0f;    // from the pointer to its knob
+  std::string tooltipFor;     // the widget under the pointer …
+  double tooltipSince = 0.0;  // … and since when
+};
+
+// Words in the current language for a key of the translation table; empty where it has none.
+using Words = std::function<std::string(std::string_view key)>;
+// What the session says, in the current language.
+using Tell = std::function<std::string(const Text&)>;
+// A number as typed by the user; nothing where it is none.
+using NumberParser = std::function<std::optional<double>(std::string_view)>;
+
+class Ui {
+ public:
+  struct Setting {
+    const Fonts& fonts;
+    const Theme& theme;
+    const Words& words;
+    const Tell& tell;
+    const NumberParser& parse;
+    WidgetRegistry& registry;
+    UiMemory& memory;
+    float scale = 1.0f;
+    double time = 0.0;
+    bool decimalComma = false;
+  };
+  explicit Ui(const Setting& setting) : setting_(setting) {}
+
+  float scale() const { return setting_.scale; }
+  // Pixels at the content scale, whole.
+  float px(float atScale1) const;
+  double time() const { return setting_.time; }
+  ImU32 colour(ColourRole role, double opacity = 1.0) const;
+  const Theme& theme() const { return setting_.theme; }
+  WidgetRegistry& registry() { return setting_.registry; }
+  UiMemory& memory() { return setting_.memory; }
+  bool typing() const { return !setting_.memory.editing.empty(); }
+
+  std::string words(std::string_view key) const;
+  std::string tell(const Text& text) const { return shown(setting_.fonts, setting_.tell(text)); }
+  // With the decimal sign of the language and a real minus.
+  std::string number(double value, int decimals) const;
+
+  ImFont* font(Weight weight) const;
+  float textWidth(std::string_view text, Weight weight = Weight::kRegular) const;
+  // In the middle of the box's height, kept inside its width and told to the registry.
+  void text(const Rect& box, std::string_view text, const TextStyle& style = {});
+  // A label at the left, in the secondary colour, and its value at the right.
+  void valueRow(const Rect& box, std::string_view id, std::string_view label,
+                std::string_view value);
+
+  void fill(const Rect& rect, ColourRole role, float radius = 0.0f, double opacity = 1.0);
+  void outline(const Rect& rect, ColourRole role, float radius = 0.0f, float width = 1.0f);
+  void icon(Icon icon, const Rect& box, ColourRole role);
+
+  bool button(std::string_view id, const Rect& rect, const ButtonStyle& style = {});
+  bool button(std::string_view id, const Rect& rect, std::string_view label,
+              const ButtonStyle& style);
+  bool iconButton(std::string_view id, const Rect& rect, Icon icon, const ButtonStyle& style = {});
+  // Dragged, clicked at, turned with the wheel's keys; double click or Ctrl + click types the
+  // value.
+  std::optional<ValueChange> slider(std::string_view id, const Rect& rect, double value,
+                                    const SliderStyle& style);
+  // Shows a number; a click lets it be typed. Enter or a click elsewhere commits, Escape cancels.
+  // What is no number is told by the second member.
+  struct Typed {
+    std::optional<double> value;
+    std::optional<std::string> refused;  // the text that is no number
+  };
+  Typed field(std::string_view id, const Rect& rect, double value, const FieldStyle& style = {});
+  // An area with a meaning of its own (a graph, the viewport); true while the pointer is over it.
+  struct AreaState {
+    bool hovered = false;
+    bool pressed = false;  // in this frame, left button
+    bool held = false;
+    bool released = false;
+    bool doubleClicked = false;
+  };
+  AreaState area(std::string_view id, const Rect& rect, std::string_view value = {});
+
+  // Widgets that Dear ImGui draws (menus): told to the registry after the fact.
+  void note(std::string_view id, std::string_view label, WidgetKind kind, bool enabled,
+            std::string_view value = {});
+
+ private:
+  struct Press {
+    bool hovered = false, held = false, pressed = false;
+  };
+  Press press(std::string_view id, const Rect& rect, WidgetKind kind, bool enabled);
+  void registerWidget(std::string_view id, std::string_view label, WidgetKind kind,
+                      const Rect& rect, bool enabled, std::string_view value);
+  void ground(const Rect& rect, const Press& press, const ButtonStyle& style);
+  void tooltip(std::string_view id, const Press& press, const std::string& given);
+  std::optional<std::string> textEditor(std::string_view id, const Rect& rect, bool& ended);
+  Typed typeNumber(std::string_view id, const Rect& rect);
+  void startTyping(std::string_view id, std::string text);
+
+  Setting setting_;
+};
+
+// Rows of a panel, one under the other.
+class Stack {
+ public:
+  Stack(const Ui& ui, float x, float y, float width) : ui_(&ui), x_(x), y_(y), width_(width) {}
+  Rect row(float heightAtScale1);
+  void gap(float heightAtScale1);
+  float y() const { return y_; }
+  float x() const { return x_; }
+  float width() const { return width_; }
+
+ private:
+  const Ui* ui_;
+  float x_, y_, width_;
+};
+
+// A row cut into equal parts with gaps of 4.
+std::vector<Rect> split(const Ui& ui, const Rect& row, int parts, float gapAtScale1 = 4.0f);
+
+// A panel: a ground with a heading. `content` draws into the stack; the ground takes its height.
+void panel(Ui& ui, Stack& column, std::string_view headingKey,
+           const std::function<void(Stack&)>& content);
+
+// Dear ImGui's own parts (menus, text fields, tooltips, scroll bars) in the theme's colours.
+void applyStyle(ImGuiStyle& style, const Theme& theme, float scale);
+
+}  // namespace vides

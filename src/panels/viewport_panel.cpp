@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Around the viewport.
+#include "panels/viewport_panel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vides {
+
+std::optional<EditorView> viewportSliders(Ui& ui, const Rect& rect, const Session& session) {
+  const EditorView& view = session.view().view;
+  EditorView next = view;
+  // About the middle, and no longer than looks well: the sketch's proportions.
+  const float thick = ui.px(18);
+  const float sizeWidth = std::clamp(rect.width - ui.px(400), ui.px(120), ui.px(480));
+  const Rect size{std::round(rect.centreX() - sizeWidth / 2), rect.y + ui.px(11), sizeWidth, thick};
+  const float turnWidth = std::clamp(rect.width - ui.px(120), ui.px(120), ui.px(720));
+  const Rect turn{std::round(rect.centreX() - turnWidth / 2), rect.bottom() - ui.px(29), turnWidth,
+                  thick};
+  const float tiltHeight = std::clamp(rect.height - ui.px(180), ui.px(80), ui.px(480));
+  const Rect tilt{rect.right() - ui.px(26), std::round(rect.centreY() - tiltHeight / 2), thick,
+                  tiltHeight};
+  if (const auto change = ui.slider(
+          "view/size", size, view.size,
+          {.least = kMinViewSize, .most = kMaxViewSize, .logarithmic = true, .decimals = 2})) {
+    next.size = change->value;
+  }
+  if (const auto change = ui.slider("view/turn", turn, view.turn,
+                                    {.least = -180.0, .most = 180.0, .decimals = 1})) {
+    next = turnedTo(view, session.view().pivot, change->value, view.tilt);
+  }
+  if (const auto change =
+          ui.slider("view/tilt", tilt, view.tilt,
+                    {.least = -90.0, .most = 90.0, .vertical = true, .decimals = 1})) {
+    next = turnedTo(view, session.view().pivot, view.turn, change->value);
+  }
+  return next == view ? std::nullopt : std::optional(next);
+}
+
+SplitterChange splitter(Ui& ui, std::string_view id, const Rect& rect, bool vertical) {
+  const auto state = ui.area(id, rect);
+  SplitterChange change;
+  if (state.hovered || state.held) {
+    ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    const float thick = ui.px(2);
+    ui.fill(vertical ? Rect{std::round(rect.centreX() - thick / 2), rect.y, thick, rect.height}
+                     : Rect{rect.x, std::round(rect.centreY() - thick / 2), rect.width, thick},
+            ColourRole::kControlActive);
+  }
+  if (state.doubleClicked) {
+    change.fold = true;
+  } else if (state.held) {
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    change.by = (vertical ? delta.x : delta.y) / ui.scale();
+  }
+  return change;
+}
+
+}  // namespace vides

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// Our widgets: buttons, sliders, numbers that can be typed, areas.
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "panels/ui.hpp"
+
+namespace vides {
+namespace {
+
+constexpr double kTooltipDelay = 0.6;  // seconds
+
+ImRect rectangle(const Rect& r) { return {r.x, r.y, r.right(), r.bottom()}; }
+
+ImGuiID idOf(std::string_view id) {
+  const std::string label = "###" + std::string(id);
+  return ImGui::GetID(label.c_str());
+}
+
+bool over(const Rect& rect) {
+  return ImGui::IsWindowHovered() &&
+         ImGui::IsMouseHoveringRect({rect.x, rect.y}, {rect.right(), rect.bottom()});
+}
+
+double shareOf(double value, const SliderStyle& style) {
+  const double share = style.logarithmic
+                           ? std::log(value / style.least) / std::log(style.most / style.least)
+                           : (value - style.least) / (style.most - style.least);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+double valueAt(double share, const SliderStyle& style) {
+  const double in = std::clamp(share, 0.0, 1.0);
+  return style.logarithmic ? style.least * std::pow(style.most / style.least, in)
+                           : style.least + in * (style.most - style.least);
+}
+
+}  // namespace
+
+Ui::Press Ui::press(std::string_view id, const Rect& rect, WidgetKind, bool enabled) {
+  Press result;
+  const ImRect box = rectangle(rect);
+  const ImGuiID key = idOf(id);
+  if (!ImGui::ItemAdd(box, key)) return result;
+  if (!enabled) {
+    result.hovered = over(rect);
+    return result;
+  }
+  result.pressed = ImGui::ButtonBehavior(box, key, &result.hovered, &result.held);
+  return result;
+}
+
+void Ui::tooltip(std::string_view id, const Press& press, const std::string& given) {
+  UiMemory& memory = setting_.memory;
+  if (!press.hovered || press.held) {
+    if (memory.tooltipFor == id) memory.tooltipFor.clear();
+    return;
+  }
+  if (memory.tooltipFor != id) {
+    memory.tooltipFor = id;
+    memory.tooltipSince = setting_.time;
+  }
+  if (setting_.time - memory.tooltipSince < kTooltipDelay) return;
+  const std::string tip = given.empty() ? words("tip/" + std::string(id)) : given;
+  if (tip.empty()) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(8), px(5)));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(300));
+  ImGui::TextUnformatted(tip.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void Ui::ground(const Rect& rect, const Press& press, const ButtonStyle& style) {
+  if (!style.enabled) {
+    if (!style.quiet) fill(rect, ColourRole::kControl, 3.0f, 0.4);
+    return;
+  }
+  if (press.held || style.on) return fill(rect, ColourRole::kControlActive, 3.0f);
+  if (press.hovered) return fill(rect, ColourRole::kControlHovered, 3.0f);
+  if (!style.quiet) fill(rect, ColourRole::kControl, 3.0f);
+}
+
+bool Ui::button(std::string_view id, const Rect& rect, std::string_view label,
+                const ButtonStyle& style) {
+  const Press state = press(id, rect, WidgetKind::kButton, style.enabled);
+  registerWidget(id, label, style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
+                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
+  ground(rect, state, style);
+  const float inset = style.align == Align::kCentre ? px(2) : px(8);
+  text(rect.inset(0), label,
+       {.colour = style.enabled ? ColourRole::kText : ColourRole::kTextDisabled,
+        .weight = style.on ? Weight::kSemibold : Weight::kRegular,
+        .align = style.align});
+  static_cast<void>(inset);
+  tooltip(id, state, style.tooltip);
+  return state.pressed;
+}
+
+bool Ui::button(std::string_view id, const Rect& rect, const ButtonStyle& style) {
+  return button(id, rect, words(id), style);
+}
+
+bool Ui::iconButton(std::string_view id, const Rect& rect, Icon which, const ButtonStyle& style) {
+  const Press state = press(id, rect, WidgetKind::kButton, style.enabled);
+  registerWidget(id, words(id), style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
+                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
+  ground(rect, state, style);
+  icon(which, rect, style.enabled ? ColourRole::kText : ColourRole::kTextDisabled);
+  tooltip(id, state, style.tooltip);
+  return state.pressed;
+}
+
+void Ui::startTyping(std::string_view id, std::string words) {
+  setting_.memory.editing = id;
+  setting_.memory.buffer = std::move(words);
+  setting_.memory.editingStarted = false;
+}
+
+// Nothing while it is typed; then the text, or nothing with `ended` where it was given up.
+std::optional<std::string> Ui::textEditor(std::string_view id, const Rect& rect, bool& ended) {
+  UiMemory& memory = setting_.memory;
+  constexpr std::size_t kMost = 256;
+  char buffer[kMost] = {};
+  memory.buffer.copy(buffer, kMost - 1);
+  ImFont* used = font(Weight::kRegular);
+  const float vertical = std::floor((rect.height - used->FontSize) / 2.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), vertical));
+  ImGui::SetCursorScreenPos({rect.x, rect.y});
+  ImGui::PushItemWidth(rect.width);
+  const std::string label = "###" + std::string(id) + "/typing";
+  if (memory.editingStarted && !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+  const bool entered =
+      ImGui::InputText(label.c_str(), buffer, kMost,
+                       ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool left = ImGui::IsItemDeactivated();
+  if (ImGui::IsItemActive()) memory.editingStarted = true;
+  ImGui::PopItemWidth();
+  ImGui::PopStyleVar();
+  outline(rect, ColourRole::kText, 3.0f);
+  memory.buffer = buffer;
+  ended = entered || left;
+  if (!ended) return std::nullopt;
+  memory.editing.clear();
+  memory.editingStarted = false;
+  const bool given = entered || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  return given ? std::optional(memory.buffer) : std::nullopt;
+}
+
+Ui::Typed Ui::typeNumber(std::string_view id, const Rect& rect) {
+  bool ended = false;
+  const auto typed = textEditor(id, rect, ended);
+  if (!ended || !typed) return {};
+  std::string plain = *typed;
+  // Units may stand behind the number, and the minus that we show is one.
+  for (std::size_t at; (at = plain.find("\u2212")) != std::string::npos;) plain.replace(at, 3, "-");
+  while (!plain.empty() && plain.back() == ' ') plain.pop_back();
+  while (!plain.empty() && plain.front() == ' ') plain.erase(0, 1);
+  if (const auto value = setting_.parse(plain)) return {*value, std::nullopt};
+  return {std::nullopt, plain};
+}
+
+Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const FieldStyle& style) {
+  const std::string shownValue = number(value, style.decimals);
+  const bool hovered = over(rect);
+  const bool takesText = style.enabled && !style.readOnly;
+  registerWidget(id, words(id), style.readOnly ? WidgetKind::kText : WidgetKind::kField, rect,
+                 style.enabled, shownValue);
+  if (setting_.memory.editing != id && takesText && hovered && ImGui::IsMouseClicked(0)) {
+    startTyping(id, shownValue);
+  }
+  if (setting_.memory.editing == id) return typeNumber(id, rect);
+  ImGui::ItemAdd(rectangle(rect), idOf(id));
+  if (!style.readOnly) fill(rect, ColourRole::kField, 3.0f);
+  if (takesText && hovered) {
+    outline(rect, ColourRole::kControlHovered, 3.0f);
+    ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+  }
+  const float inset = px(6);
+  const Rect inside{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
+  const std::string tail = shownValue + style.suffix;
+  const float room = textWidth(tail, style.weight);
+  if (!style.prefix.empty()) {
+    text({inside.x, inside.y, inside.width - room - px(2), inside.height}, style.prefix,
+         {.colour = ColourRole::kTextSecondary});
+  }
+  text({inside.right() - std::min(room, inside.width), inside.y, std::min(room, inside.width),
+        inside.height},
+       tail,
+       {.colour = style.enabled ? ColourRole::kText : ColourRole::kTextDisabled,
+        .weight = style.weight,
+        .align = Align::kRight});
+  tooltip(id, {.hovered = hovered, .held = false, .pressed = false}, {});
+  return {};
+}
+
+std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, double value,
+                                      const SliderStyle& style) {
+  UiMemory& memory = setting_.memory;
+  registerWidget(id, words(id), WidgetKind::kSlider, rect, style.enabled,
+                 number(value, style.decimals));
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool asked = ImGui::IsMouseDoubleClicked(0) || (io.KeyCtrl && ImGui::IsMouseClicked(0));
+  const Rect typingBox = [&] {
+    const float width = std::min(px(80), std::max(rect.width, px(80)));
+    return Rect{std::round(std::max(
+                    0.0f, std::min(rect.centreX() - width / 2, io.DisplaySize.x - width - px(4)))),
+                std::round(rect.centreY() - px(12)), width, px(24)};
+  }();
+  if (memory.editing != id && style.enabled && asked && over(rect)) {
+    startTyping(id, number(value, style.decimals));
+    memory.editingStarted = true;
+    memory.dragging.clear();
+    ImGui::ClearActiveID();
+  }
+  if (memory.editing == id) {
+    const Typed typed = typeNumber(id, typingBox);
+    if (!typed.value) return std::nullopt;
+    return ValueChange{std::clamp(*typed.value, style.least, style.most), Phase::kCommit};
+  }
+
+  const Press state = press(id, rect, WidgetKind::kSlider, style.enabled);
+  const float knob = px(6);
+  const float from = style.vertical ? rect.bottom() - knob : rect.x + knob;
+  const float way = style.vertical ? -(rect.height - 2 * knob) : rect.width - 2 * knob;
+  const float pointer = style.vertical ? io.MousePos.y : io.MousePos.x;
+  std::optional<ValueChange> change;
+  if (state.held && std::abs(way) > 1.0f) {
+    if (memory.dragging != id) {
+      memory.dragging = id;
+      memory.dragStart = value;
+      const float at = from + way * static_cast<float>(shareOf(value, style));
+      memory.dragOffset = std::abs(pointer - at) <= knob ? at - pointer : 0.0f;
+    }
+    const double share = static_cast<double>((pointer + memory.dragOffset - from) / way);
+    const double next = valueAt(share, style);
+    const bool knobMoved =
+        std::abs(shareOf(next, style) - shareOf(value, style)) * std::abs(way) >= 0.5;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+      change = ValueChange{memory.dragStart, Phase::kCancel};
+      memory.dragging.clear();
+      ImGui::ClearActiveID();
+    } else if (knobMoved) {
+      value = next;
+      change = ValueChange{next, Phase::kPreview};
+    }
+  } else if (memory.dragging == id) {
+    memory.dragging.clear();
+    if (value != memory.dragStart) change = ValueChange{value, Phase::kCommit};
+  }
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float at = from + way * static_cast<float>(shareOf(value, style));
+  const float thick = std::max(2.0f, px(4));
+  const float middle = std::round(style.vertical ? rect.centreX() : rect.centreY());
+  const auto bar = [&](float a, float b, ColourRole role) {
+    const Rect r = style.vertical
+                       ? Rect{middle - thick / 2, std::min(a, b), thick, std::abs(b - a)}
+                       : Rect{std::min(a, b), middle - thick / 2, std::abs(b - a), thick};
+    fill(r, role, 2.0f);
+  };
+  bar(from, from + way, ColourRole::kSliderTrack);
+  if (style.enabled) bar(from, at, ColourRole::kSlider);
+  const ImVec2 centre = style.vertical ? ImVec2(middle, at) : ImVec2(at, middle);
+  const bool lively = style.enabled && (state.hovered || state.held);
+  list.AddCircleFilled(
+      centre, lively ? knob + px(1) : knob,
+      colour(style.enabled ? ColourRole::kSliderHandle : ColourRole::kTextDisabled));
+  tooltip(id, state, {});
+  return change;
+}
+
+Ui::AreaState Ui::area(std::string_view id, const Rect& rect, std::string_view value) {
+  registerWidget(id, words(id), WidgetKind::kArea, rect, true, value);
+  const Press state = press(id, rect, WidgetKind::kArea, true);
+  AreaState result;
+  result.hovered = state.hovered;
+  result.held = state.held;
+  result.pressed = state.held && ImGui::IsMouseClicked(0);
+  result.released = state.pressed;
+  result.doubleClicked = state.hovered && ImGui::IsMouseDoubleClicked(0);
+  tooltip(id, state, {});
+  return result;
+}
+
+}  // namespace vides

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Zoom: the current orientation's, with focal length and horizontal field of view.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "panels/left_panels.hpp"
+
+namespace vides {
+
+void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) {
+  panel(ui, column, "panel/zoom", [&](Stack& rows) {
+    const double zoom = session.currentOrientation().zoom;
+    const auto change = ui.slider("zoom/value", rows.row(18), zoom,
+                                  {.least = kMinZoom, .most = kMaxZoom, .decimals = 1});
+    if (change) {
+      // Dragged, it goes in tenths: what is shown is what is kept.
+      const double tenths = std::round(change->value * 10.0) / 10.0;
+      actions.during(Command("set-zoom", change->phase == Phase::kCancel ? change->value : tenths),
+                     change->phase);
+    }
+    const Lens& lens = session.flight().lens;
+    const double angle = lens.horizontalFieldOfView(zoom) * 180.0 / std::numbers::pi;
+    ui.valueRow(rows.row(20), "zoom/lens", ui.number(zoom, 1),
+                fmt::format("{} mm \u00b7 {}\u00b0", ui.number(lens.focalLength(zoom), 1),
+                            ui.number(angle, 1)));
+  });
+}
+
+}  // namespace vides
