@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/editor_parts.hpp"
-#include "app/words.hpp"
 
 namespace vides {
 namespace {
@@ -58,8 +57,8 @@ Editor::Parts::Parts(const Gl& table, EditorOptions given)
       options(std::move(given)),
       context(ImGui::CreateContext()),
       session(SessionSeams{options.clipboard, options.setClipboard, {}, {}}) {
-  words = [this](std::string_view key) { return panelWords(key, session.display().language); };
-  tell = [this](const Text& text) { return tellText(text, session.display().language); };
+  words = [this](std::string_view key) { return std::string(texts.words(key)); };
+  tell = [this](const Text& text) { return texts.tell(text); };
   parse = [](std::string_view text) { return parseNumber(text); };
   ImGui::SetCurrentContext(context);
   ImGuiIO& io = ImGui::GetIO();
@@ -190,6 +189,9 @@ bool Editor::Parts::pass(const FrameInput& given) {
 FrameOutcome Editor::frame(const FrameInput& given) {
   Parts& p = *parts_;
   ImGui::SetCurrentContext(p.context);
+  if (p.texts.language() != p.session.display().language) {
+    p.texts = Texts(p.session.display().language);
+  }
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = static_cast<float>(std::max(1e-4, given.time - p.time));
   p.time = std::max(p.time, given.time);
@@ -240,8 +242,9 @@ FrameOutcome Editor::Parts::outcome() {
   if (!memory.tooltipFor.empty() && time - memory.tooltipSince < kTooltipDelay) {
     want(kTooltipDelay - (time - memory.tooltipSince));
   }
+  if (const auto note = tools.note(time)) want(note->until - time);
   result.pointer = pointer;
-  result.title = tell(session.title()) + " \u2013 vides";
+  result.title = tell(session.title());
   result.fullScreen = session.fullScreen();
   result.quit = session.quitRequested();
   return result;

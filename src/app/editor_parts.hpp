@@ -9,7 +9,8 @@
 #include "app/editor.hpp"
 #include "app/flight_pictures.hpp"
 #include "app/imgui_input.hpp"
-#include "app/viewport_hand.hpp"
+#include "edit/texts.hpp"
+#include "edit/viewport_tools.hpp"
 #include "panels/flight_graphs.hpp"
 #include "panels/timeline_panel.hpp"
 #include "panels/ui.hpp"
@@ -48,6 +49,7 @@ struct Editor::Parts {
   double scale = 0.0;  // the fonts'; 0 before the first frame
   bool fontTrouble = false;
   Theme colours;  // the session's, as applied to Dear ImGui
+  Texts texts{Language::kEnglish};
   Words words;
   Tell tell;
   NumberParser parse;
@@ -57,7 +59,9 @@ struct Editor::Parts {
   WidgetRegistry registry;
   Layout layout;
   TimelineView timeline;
-  ViewportHand hand;
+  ViewportTools tools{session};
+  Vec2 pointerAt{-1.0};
+  Modifiers modifiers;
   bool overViewport = false;  // the pointer, as of the last pass
   bool overCamera = false;
   PointerShape pointer = PointerShape::kArrow;
@@ -78,6 +82,8 @@ struct Editor::Parts {
   // editor_events.cpp
   void notice(const InputEvent& event);
   void buttonChanged(const ButtonChanged& change);
+  ViewportPlace viewportPlace();
+  PointerTarget pick(const Vec2& pixel) const;
   void keyChanged(const KeyChanged& change);
   std::string shortcutOf(std::string_view commandLine) const;
   // editor_window.cpp
@@ -86,6 +92,7 @@ struct Editor::Parts {
   void arrange(Ui& ui, const Rect& all, Actions& actions);
   void leftColumn(Ui& ui, const Rect& rect, Actions& actions);
   void rightColumn(Ui& ui, const Rect& rect, Actions& actions);
+  void pointerSigns(Ui& ui);
   void viewportArea(Ui& ui, const Rect& rect, Actions& actions);
   void splitters(Ui& ui, const Rect& all, const Rect& left, const Rect& right,
                  const Rect& timelineRect, Actions& actions);

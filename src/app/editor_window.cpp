@@ -10,6 +10,7 @@
 #include "panels/menu_bar.hpp"
 #include "panels/right_panels.hpp"
 #include "panels/viewport_panel.hpp"
+#include "panels/windows.hpp"
 
 namespace vides {
 namespace {
@@ -61,6 +62,8 @@ ViewportState Editor::Parts::viewportState() const {
   state.current = session.current();
   state.selected = session.selected().keys();
   state.playhead = session.frame();
+  state.hovered = tools.hovered();
+  state.drag = tools.drag();
   return state;
 }
 
@@ -92,6 +95,31 @@ void Editor::Parts::rightColumn(Ui& ui, const Rect& rect, Actions& actions) {
   });
 }
 
+// What the pointer can do here, what it can't, and the box that it draws.
+void Editor::Parts::pointerSigns(Ui& ui) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (const auto box = tools.box()) {
+    const ImVec2 low(static_cast<float>(box->x), static_cast<float>(box->y));
+    const ImVec2 high(low.x + static_cast<float>(box->width),
+                      low.y + static_cast<float>(box->height));
+    list.AddRectFilled(low, high, ui.colour(ColourRole::kText, 0.08));
+    list.AddRect(low, high, ui.colour(ColourRole::kText, 0.7), 0.0f, 0, ui.scale());
+  }
+  const auto note = tools.note(time);
+  const Text text = note ? note->text : tools.drag() ? Text() : tools.hint();
+  if (text.empty()) return;
+  const std::string hint = ui.tell(text);
+  const Vec2 at = note ? note->pixel : pointerAt;
+  const float width = ui.textWidth(hint) + ui.px(16);
+  const float room = ImGui::GetIO().DisplaySize.x - width - ui.px(4);
+  const Rect box{
+      std::round(std::clamp(static_cast<float>(at.x) + ui.px(16), 0.0f, std::max(0.0f, room))),
+      std::round(static_cast<float>(at.y) + ui.px(14)), width, ui.px(24)};
+  ui.fill(box, ColourRole::kPanel, 4.0f, 0.94);
+  ui.text({box.x + ui.px(8), box.y, width - ui.px(16), box.height}, hint,
+          {.colour = note ? ColourRole::kError : ColourRole::kTextSecondary});
+}
+
 void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
   region("###viewport", rect, [&](const Rect&) {
     const SharedScene scene = scenes.of(session.flight(), session.path(), [&](const auto& why) {
@@ -109,6 +137,7 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
     if (session.display().sliders) {
       if (const auto next = viewportSliders(ui, rect, session)) actions.view = next;
     }
+    pointerSigns(ui);
     if (rect.width > ui.px(500)) {
       ui.text({rect.x + ui.px(14), rect.y + ui.px(10), width, ui.px(20)}, label,
               {.colour = ColourRole::kTextSecondary, .mayShorten = true});
@@ -164,6 +193,7 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
     arrange(ui, below({0.0f, 0.0f, size.x, size.y}, menu), actions);
   }
   ImGui::End();
+  if (!layout.bare) windows(ui, session, texts, actions);
 }
 
 void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edit/command_table.hpp"
+#include "panels/windows.hpp"
 
 namespace vides {
 namespace {
@@ -38,11 +38,6 @@ bool layoutEntry(std::string_view id, Layout layout, Actions& actions) {
   }
   actions.layout = layout;
   return true;
-}
-
-bool canRun(const Session& session, const std::string& line) {
-  const std::string command = line.substr(0, line.find(' '));
-  return findCommand(command) != nullptr && session.available(command);
 }
 
 std::string labelOf(const Ui& ui, const Session& session, const std::string& id) {
@@ -91,7 +86,11 @@ void recentFiles(Ui& ui, const Session& session, Actions& actions) {
 
 void outputLine(Ui& ui, const Rect& bar, const Session& session) {
   const float pad = ui.px(12);
-  const std::string title = ui.tell(session.title());
+  // The file's name and whether it is saved; the window's title says so in words of its own.
+  const std::string& path = session.path();
+  const std::string file = path.substr(path.rfind('/') + 1);
+  const std::string title = (file.empty() ? ui.words("title.untitled") : file) +
+                            (session.modified() ? " \u2022" : "");
   const float titleWidth = std::min(ui.textWidth(title, Weight::kSemibold), bar.width * 0.4f);
   const Rect titleBox{bar.right() - pad - titleWidth, bar.y, titleWidth, bar.height};
   ui.text(titleBox, title,

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edit/command_table.hpp"
 #include "panels/left_panels.hpp"
+#include "panels/windows.hpp"
 
 namespace vides {
 
 void commandButton(Ui& ui, std::string_view id, const Rect& rect, std::string_view command,
                    const Session& session, Actions& actions, ButtonStyle style) {
-  const std::string_view name = command.substr(0, command.find(' '));
-  style.enabled = style.enabled && findCommand(name) != nullptr && session.available(name);
+  style.enabled = style.enabled && canRun(session, command);
   if (!ui.button(id, rect, style)) return;
   if (auto parsed = parseCommand(command)) actions.run(std::move(*parsed));
 }

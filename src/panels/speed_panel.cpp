@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "panels/left_panels.hpp"
+#include "panels/windows.hpp"
 
 namespace vides {
 namespace {
@@ -46,8 +47,9 @@ void smallCurve(Ui& ui, const Rect& rect, const Session& session, bool owns, Act
     list.AddRect(low, high, ui.colour(owns ? ColourRole::kText : ColourRole::kTextDisabled), 0.0f,
                  0, std::max(1.0f, ui.scale()));
   }
-  if (state.hovered && owns) ui.outline(rect, ColourRole::kControlHovered, 3.0f);
-  if (state.released && owns && session.available("show-window")) {
+  if (state.hovered && owns && canRun(session, "show-window speed"))
+    ui.outline(rect, ColourRole::kControlHovered, 3.0f);
+  if (state.released && owns && canRun(session, "show-window speed")) {
     actions.run(Command("show-window", "speed"));
   }
 }

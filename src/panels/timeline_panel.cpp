@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The timeline.
+// The timeline: where everything in it stands, and what the pointer does there.
 #include "panels/timeline_panel.hpp"
 
 #include <fmt/format.h>

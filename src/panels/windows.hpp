@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Windows over the editor: the question that must be answered, the list of shortcuts.
+#pragma once
+
+#include <string_view>
+
+#include "edit/session.hpp"
+#include "edit/texts.hpp"
+#include "panels/actions.hpp"
+#include "panels/ui.hpp"
+
+namespace vides {
+
+// Windows of the session that there are panels for; what opens another one is greyed.
+bool hasWindow(std::string_view name);
+// Whether a command's line can do something: it exists, it is available, its window exists.
+bool canRun(const Session& session, std::string_view commandLine);
+
+// All that are open.
+void windows(Ui& ui, const Session& session, const Texts& texts, Actions& actions);
+
+}  // namespace vides
