@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The camera's view: letterboxing, and the lens formula by hand.
+#include "scene/camera_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "math/random.hpp"
+
+namespace vides {
+namespace {
+
+TEST(CameraScene, Letterbox) {
+  const PictureFormat wide{1920, 1080}, square{100, 100};
+  EXPECT_EQ(letterbox({0, 0, 800, 600}, wide), (PixelRectangle{0, 75, 800, 450}));
+  EXPECT_EQ(letterbox({10, 20, 800, 600}, square), (PixelRectangle{110, 20, 600, 600}));
+  EXPECT_EQ(letterbox({0, 0, 1600, 100}, wide), (PixelRectangle{711, 0, 178, 100}));
+  EXPECT_EQ(letterbox({0, 0, 0, 0}, wide).width, 1.0);
+  EXPECT_EQ(letterbox({0, 0, 100, 100}, {65536, 1}).height, 1.0);
+}
+
+TEST(CameraScene, PointsAreSeenThroughTheLens) {
+  // Zoom 34 with 12 to 210 mm: f = 12 + 33 / 99 · 198 = 78 mm on a sensor 36 mm wide. A point x to
+  // the right at distance d is seen f x / d mm right of the middle: 800 / 36 pixels a millimetre.
+  Camera camera;
+  camera.viewReferencePoint = {0.1, 0.2, 0.3};
+  camera.viewPlaneNormal = {0, 0, 1};
+  camera.viewUpVector = {0, 1, 0};  // the right is -x
+  camera.zoom = 34;
+  const ViewProjection view = cameraView(camera, {1920, 1080}, Lens{}, {0, 75, 800, 450});
+  const Vec2 pixel = *view.project(camera.viewReferencePoint + Vec3{-0.2, 0.1, 2.0});
+  EXPECT_NEAR(pixel.x, 400 + 78 * 0.2 / 2.0 * 800 / 36, 1e-9);
+  EXPECT_NEAR(pixel.y, 75 + 225 - 78 * 0.1 / 2.0 * 800 / 36, 1e-9);
+  EXPECT_FALSE(view.project(camera.viewReferencePoint - Vec3{0, 0, 1}));
+}
+
+TEST(CameraScene, AnyCameraByTheLensFormula) {
+  test::Random random(11);
+  for (int round = 0; round < 200; ++round) {
+    Camera camera;
+    camera.viewReferencePoint = random.inCube();
+    camera.viewPlaneNormal = glm::normalize(random.inCube());
+    camera.viewUpVector =
+        glm::normalize(glm::cross(camera.viewPlaneNormal, glm::normalize(random.inCube())));
+    camera.zoom = random.between(1, 100);
+    const PictureFormat picture{1000, 500};
+    const PixelRectangle r = letterbox({5, 7, 900, 800}, picture);
+    const ViewProjection view = cameraView(camera, picture, Lens{24, 10, 100}, r);
+    const Vec3 right = glm::cross(camera.viewPlaneNormal, camera.viewUpVector);
+    const double x = random.between(-0.3, 0.3), y = random.between(-0.3, 0.3);
+    const double d = random.between(0.2, 3);
+    const double focal = 10 + (camera.zoom - 1) / 99 * 90;
+    const Vec2 pixel = *view.project(camera.viewReferencePoint + x * right +
+                                     y * camera.viewUpVector + d * camera.viewPlaneNormal);
+    const double pixelsPerMillimetre = r.width / 24;
+    EXPECT_NEAR(pixel.x, r.x + 0.5 * r.width + focal * x / d * pixelsPerMillimetre, 1e-6);
+    EXPECT_NEAR(pixel.y, r.y + 0.5 * r.height - focal * y / d * pixelsPerMillimetre, 1e-6);
+  }
+}
+
+TEST(CameraScene, ShowsSceneCubeAndGuides) {
+  CameraInput input;
+  input.rectangle = {0, 0, 800, 600};
+  CameraScene scene;
+  const auto elements = [&] {
+    std::size_t sum = 0;
+    for (const DrawItem& item : scene.build(input).items) sum += item.geometry->elements();
+    return sum;
+  };
+  EXPECT_EQ(elements(), 12u);  // the cube stands for a scene that isn't there
+  input.cube = false;
+  EXPECT_EQ(elements(), 0u);
+  input.thirds = true;
+  EXPECT_EQ(elements(), 4u);
+  input.safeFrames = true;
+  EXPECT_EQ(elements(), 12u);
+  auto geometry = std::make_shared<SceneGeometry>();
+  geometry->positions = {{10, 0, 0}, {11, 0, 0}};
+  geometry->edges = {{0, 1}};
+  geometry->points = {0};
+  input.scene = geometry;
+  input.space = {{10, 0, 0}, 2.0};
+  EXPECT_EQ(elements(), 14u);
+  const DrawList& list = scene.build(input);
+  EXPECT_EQ(list.items[1].geometry->points[1], (GeometryPoint{0.5f, 0, 0, 0}));
+  input.sceneAsPoints = true;
+  EXPECT_EQ(elements(), 14u);
+  EXPECT_EQ(list.outer, input.rectangle);
+}
+
+}  // namespace
+}  // namespace vides

@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: MIT
+// What the viewport shows, by numbers: projections, edges behind, handles, labels, what is kept.
+#include "scene/viewport_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "math/projection.hpp"
+#include "math/random_view.hpp"
+#include "scene/cube_part.hpp"
+#include "support/random_flight.hpp"
+
+namespace vides {
+namespace {
+
+using test::Random;
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+ViewportInput inputOf(const Flight& flight) {
+  ViewportInput input;
+  input.evaluation = Evaluation(flight);
+  input.rectangle = {0, 0, 800, 600};
+  return input;
+}
+
+Flight sixKeys() {
+  Flight flight;
+  const Vec3 places[] = {{0.9, -0.1, 0.2},  {0.55, 0.35, -0.75}, {-0.55, 0.35, -0.75},
+                         {-0.9, -0.1, 0.2}, {0.3, -0.2, 0.9},    {0.0, 0.1, 0.5}};
+  for (const Vec3& place : places) {
+    Key key;
+    key.position = place;
+    key.orientations.front().aim = {0, 0.5, 0};
+    flight.keys.push_back(key);
+  }
+  return flight;
+}
+
+EditorView randomEditorView(Random& random) {
+  EditorView view;
+  view.turn = random.between(-180, 180);
+  view.tilt = random.between(-90, 90);
+  view.size = std::exp(random.between(std::log(0.25), std::log(4)));
+  view.target = 0.3 * random.inCube();
+  view.type = random.coin() ? ProjectionType::Parallel : ProjectionType::Perspective;
+  return view;
+}
+
+std::vector<Handle> handlesOf(const DrawList& list, HandleKind kind) {
+  std::vector<Handle> result;
+  for (const Handle& handle : list.handles) {
+    if (handle.id.kind == kind) result.push_back(handle);
+  }
+  return result;
+}
+
+// The pixel of a point through the matrices of PHIGS, set up from the definition of the editor's
+// view alone.
+std::optional<Vec2> throughPhigs(const EditorView& view, const PixelRectangle& r, const Vec3& p) {
+  const double turn = view.turn * kDegree, tilt = view.tilt * kDegree;
+  const Vec3 normal{std::sin(turn) * std::cos(tilt), std::sin(tilt),
+                    std::cos(turn) * std::cos(tilt)};
+  const Vec3 up{-std::sin(turn) * std::sin(tilt), std::cos(tilt), -std::cos(turn) * std::sin(tilt)};
+  const double smaller = std::min(r.width, r.height);
+  ViewMapping mapping;
+  mapping.type = view.type;
+  double halfHeight;
+  if (view.type == ProjectionType::Parallel) {
+    halfHeight = std::sqrt(3.0) / view.size * r.height / smaller;
+    mapping.projectionReferencePoint = {0, 0, 100};
+    mapping.frontPlaneDistance = 50;
+  } else {
+    // The sphere touches the smaller side's edges: sin of half the angle is radius / distance.
+    const double half = std::atan(std::tan(15 * kDegree) * smaller / r.height);
+    const double distance = std::sqrt(3.0) / std::sin(half) / view.size;
+    halfHeight = distance * std::tan(15 * kDegree);
+    mapping.projectionReferencePoint = {0, 0, distance};
+    mapping.frontPlaneDistance = 0.99 * distance;
+  }
+  mapping.backPlaneDistance = -100;
+  mapping.window = {-halfHeight * r.width / r.height, halfHeight * r.width / r.height, -halfHeight,
+                    halfHeight};
+  const glm::dvec4 clip =
+      *viewMapping(mapping) * viewOrientation(view.target, -normal, up) * glm::dvec4(p, 1.0);
+  if (clip.w <= 0.0) return std::nullopt;
+  return Vec2{r.x + r.width * (0.5 + 0.5 * clip.x / clip.w),
+              r.y + r.height * (0.5 - 0.5 * clip.y / clip.w)};
+}
+
+TEST(ViewportScene, KeysAreWhereThePhigsMatricesPutThem) {
+  Random random(2);
+  int seen = 0, unseen = 0;
+  for (int round = 0; round < 300; ++round) {
+    ViewportInput input = inputOf(test::randomFlight(random, {}));
+    input.view = randomEditorView(random);
+    input.rectangle = {random.between(-50, 200), random.between(-50, 200),
+                       random.between(100, 1500), random.between(100, 1500)};
+    ViewportScene scene;
+    const DrawList& list = scene.build(input);
+    std::size_t next = 0;
+    const auto handles = handlesOf(list, HandleKind::kKey);
+    for (std::size_t k = 0; k < input.evaluation.flight().keys.size(); ++k) {
+      const auto expected =
+          throughPhigs(input.view, input.rectangle, input.evaluation.flight().keys[k].position);
+      if (next < handles.size() && handles[next].id.key == k) {
+        ASSERT_TRUE(expected);
+        EXPECT_LT(glm::distance(*expected, handles[next].pixel), 0.01);
+        ++next;
+        ++seen;
+        continue;
+      }
+      // Left out only where it is outside.
+      if (expected) {
+        const PixelRectangle& r = input.rectangle;
+        EXPECT_FALSE(expected->x > r.x + 0.01 && expected->y > r.y + 0.01 &&
+                     expected->x < r.x + r.width - 0.01 && expected->y < r.y + r.height - 0.01);
+      }
+      ++unseen;
+    }
+    EXPECT_EQ(next, handles.size());
+  }
+  EXPECT_GT(seen, 500);
+  EXPECT_GT(unseen, 100);
+}
+
+TEST(ViewportScene, EdgesBehindAreThoseThatTheCubeWouldHide) {
+  Random random(4);
+  for (int round = 0; round < 500; ++round) {
+    const ViewProjection view = test::randomView(random);
+    const std::uint32_t behind = cubeEdgesBehind(view);
+    for (std::size_t i = 0; i < kCubeEdges.size(); ++i) {
+      // A step from the edge's middle towards the viewer leads into the cube, or it doesn't.
+      const Vec3 middle = 0.5 * (cubeCorner(kCubeEdges[i][0]) + cubeCorner(kCubeEdges[i][1]));
+      Vec3 toViewer = -view.viewingDirection();
+      if (view.perspective()) toViewer = glm::normalize(view.referencePoint() - middle);
+      const Vec3 step = middle + 1e-4 * toViewer;
+      bool inside = true, unclear = false;
+      for (int axis = 0; axis < 3; ++axis) {
+        inside = inside && std::abs(step[axis]) < 1.0;
+        unclear = unclear || std::abs(std::abs(step[axis]) - 1.0) < 1e-8;
+      }
+      if (unclear) continue;
+      EXPECT_EQ((behind >> i & 1) != 0, inside) << round << " edge " << i;
+    }
+  }
+}
+
+TEST(ViewportScene, NamedViewsShowTheFrontSolid) {
+  EditorView front;
+  front.turn = front.tilt = 0;
+  const std::uint32_t behind = cubeEdgesBehind(viewProjection(front, {0, 0, 800, 600}));
+  for (std::size_t i = 0; i < kCubeEdges.size(); ++i) {
+    const bool inFront = cubeCorner(kCubeEdges[i][0]).z > 0 && cubeCorner(kCubeEdges[i][1]).z > 0;
+    EXPECT_EQ((behind >> i & 1) == 0, inFront) << i;
+  }
+  EXPECT_EQ(std::popcount(cubeEdgesBehind(viewProjection(EditorView{}, {0, 0, 800, 600}))), 3);
+}
+
+TEST(ViewportScene, TurningKeepsTheGeometry) {
+  ViewportInput input = inputOf(sixKeys());
+  auto geometry = std::make_shared<SceneGeometry>();
+  geometry->positions = {{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}};
+  geometry->edges = {{0, 1}, {1, 2}};
+  input.scene = geometry;
+  ViewportScene scene;
+  const auto big = [&] {
+    std::set<const Geometry*> result;
+    for (const DrawItem& item : scene.build(input).items) {
+      if (item.space == DrawSpace::kCube && item.geometry->points.size() != 75) {
+        result.insert(item.geometry.get());
+      }
+    }
+    return result;
+  };
+  input.shown.upCircle = input.shown.up = input.shown.playhead = false;
+  const auto before = big();
+  for (int i = 0; i < 10; ++i) {
+    input.view.turn += 2.0;
+    EXPECT_EQ(big(), before);
+  }
+}
+
+TEST(ViewportScene, TheCurrentSectionHasItsOwnColour) {
+  ViewportInput input = inputOf(sixKeys());
+  ViewportScene scene;
+  for (std::size_t key = 0; key < 6; ++key) {
+    input.state.current = {key, 0};
+    std::size_t accent = 0, curve = 0;
+    for (const DrawItem& item : scene.build(input).items) {
+      const auto* style = std::get_if<LineStyle>(&item.style);
+      if (style == nullptr || item.geometry->primitive != Primitive::kPolylines) continue;
+      if (style->colour == input.theme[ColourRole::kAccent]) {
+        accent += item.count;
+        EXPECT_FLOAT_EQ(style->width, 3.0f);
+        // It begins at the current key.
+        const GeometryPoint& first = item.geometry->points[item.first + 1];
+        EXPECT_FLOAT_EQ(first.x, static_cast<float>(sixKeys().keys[key].position.x));
+      } else if (style->colour == input.theme[ColourRole::kCurve]) {
+        curve += item.count;
+        EXPECT_FLOAT_EQ(style->width, 2.2f);
+      }
+    }
+    EXPECT_GT(curve, 0u);
+    EXPECT_EQ(accent > 0, key < 5) << key;  // the last key of an open flight begins nothing
+  }
+}
+
+TEST(ViewportScene, LabelsCoverNoCrossesAndNotEachOther) {
+  Random random(8);
+  int labels = 0;
+  for (int round = 0; round < 60; ++round) {
+    ViewportInput input = inputOf(test::randomFlight(random, {}));
+    input.view = randomEditorView(random);
+    input.view.size = 0.9;
+    ViewportScene scene;
+    const DrawList& list = scene.build(input);
+    std::vector<std::pair<Vec2, Vec2>> boxes;
+    for (const DrawText& text : list.texts) {
+      const double width = input.text.digitWidth * static_cast<double>(text.text.size());
+      boxes.emplace_back(text.pixel, text.pixel + Vec2{width, input.text.lineHeight});
+    }
+    labels += static_cast<int>(boxes.size());
+    int covered = 0;
+    for (const auto& [low, high] : boxes) {
+      EXPECT_GE(low.x, 0);
+      EXPECT_LE(high.y, 600);
+      for (const Handle& handle : handlesOf(list, HandleKind::kKey)) {
+        if (handle.pixel.x > low.x && handle.pixel.x < high.x && handle.pixel.y > low.y &&
+            handle.pixel.y < high.y) {
+          ++covered;
+        }
+      }
+      for (const auto& [otherLow, otherHigh] : boxes) {
+        if (otherLow != low && otherLow.x + 4 < high.x && low.x + 4 < otherHigh.x &&
+            otherLow.y + 4 < high.y && low.y + 4 < otherHigh.y) {
+          ++covered;
+        }
+      }
+    }
+    EXPECT_EQ(covered, 0) << round;
+  }
+  EXPECT_GT(labels, 300);
+}
+
+TEST(ViewportScene, NumbersCountFromOne) {
+  ViewportInput input = inputOf(sixKeys());
+  ViewportScene scene;
+  std::set<std::string> texts;
+  for (const DrawText& text : scene.build(input).texts) texts.insert(text.text);
+  EXPECT_EQ(texts,
+            (std::set<std::string>{"1", "2", "3", "4", "5", "6", "VUP", "aim", "x", "y", "z"}));
+  input.text.aim = "Blickpunkt";
+  input.shown.axes = input.shown.numbers = false;
+  texts.clear();
+  for (const DrawText& text : scene.build(input).texts) texts.insert(text.text);
+  EXPECT_EQ(texts, (std::set<std::string>{"VUP", "Blickpunkt"}));
+}
+
+TEST(ViewportScene, WhatIsHiddenIsNeitherDrawnNorPicked) {
+  ViewportInput input = inputOf(sixKeys());
+  input.shown = {};
+  for (bool ShownElements::*element :
+       {&ShownElements::cube, &ShownElements::scene, &ShownElements::curve, &ShownElements::keys,
+        &ShownElements::aim, &ShownElements::up, &ShownElements::upCircle, &ShownElements::axes,
+        &ShownElements::ghosts, &ShownElements::playhead}) {
+    input.shown.*element = false;
+  }
+  ViewportScene scene;
+  const DrawList& list = scene.build(input);
+  EXPECT_TRUE(list.items.empty());
+  EXPECT_TRUE(list.texts.empty());
+  EXPECT_TRUE(list.handles.empty());
+}
+
+TEST(ViewportScene, PlaneSquaresStandSixteenPixelsAway) {
+  ViewportInput input = inputOf(sixKeys());
+  input.state.current = {2, 0};
+  for (const double scale : {1.0, 2.0}) {
+    input.contentScale = scale;
+    ViewportScene scene;
+    const DrawList& list = scene.build(input);
+    const auto squares = handlesOf(list, HandleKind::kPlane);
+    ASSERT_EQ(squares.size(), 3u);
+    const Vec2 key = *list.view.project(input.evaluation.flight().keys[2].position);
+    for (const Handle& square : squares) {
+      EXPECT_NEAR(glm::distance(square.pixel, key), 16.0 * scale, 1e-9);
+      for (const Handle& other : squares) {
+        if (!(other.id == square.id)) {
+          EXPECT_GT(glm::distance(square.pixel, other.pixel), 12.0 * scale);
+        }
+      }
+    }
+  }
+  // From the front the planes x and y are seen edge-on: nothing can be dragged in them.
+  input.view.turn = input.view.tilt = 0;
+  ViewportScene scene;
+  const auto squares = handlesOf(scene.build(input), HandleKind::kPlane);
+  ASSERT_EQ(squares.size(), 1u);
+  EXPECT_EQ(squares.front().id.axis, Axis::Z);
+}
+
+TEST(ViewportScene, TheVupIsAsLongInEveryView) {
+  Camera camera;
+  camera.viewReferencePoint = {0.3, 0.2, 0.1};
+  EditorView view;
+  view.turn = view.tilt = 0;  // VUP = y lies across the view
+  for (const auto type : {ProjectionType::Parallel, ProjectionType::Perspective}) {
+    for (const double size : {0.25, 1.0, 4.0}) {
+      view.type = type;
+      view.size = size;
+      const ViewProjection projection = viewProjection(view, {0, 0, 800, 600});
+      const Vec3 tip = upTip(projection, camera, 1.5);
+      EXPECT_NEAR(
+          glm::distance(*projection.project(tip), *projection.project(camera.viewReferencePoint)),
+          1.5 * kUpPixels, 1e-6);
+    }
+  }
+}
+
+TEST(ViewportScene, AimsOutsideAreMarkedAtTheEdge) {
+  const PixelRectangle r{100, 50, 800, 600};
+  EditorView editor;
+  editor.turn = editor.tilt = 0;
+  const ViewProjection view = viewProjection(editor, r);
+  AimMark mark = aimMark(view, {0, 0, 0}, {0.5, 0, 0}, 1.0);
+  EXPECT_FALSE(mark.atEdge);
+  EXPECT_NEAR(mark.pixel.y, 350, 1e-9);
+  mark = aimMark(view, {0, 0, 0}, {100, 0, 0}, 1.0);  // to the right
+  EXPECT_TRUE(mark.atEdge);
+  EXPECT_NEAR(mark.pixel.x, 100 + 800 - 12, 1e-9);
+  EXPECT_NEAR(mark.pixel.y, 350, 1e-9);
+  mark = aimMark(view, {0, 0, 0}, {-50, 50, 0}, 1.0);  // 45 degrees up: the upper edge
+  EXPECT_NEAR(mark.pixel.y, 50 + 12, 1e-9);
+  EXPECT_NEAR(500 - mark.pixel.x, 350 - mark.pixel.y, 1e-9);
+
+  // Behind the viewer of a perspective: where the arrow leaves the picture.
+  editor.type = ProjectionType::Perspective;
+  const ViewProjection perspective = viewProjection(editor, r);
+  const Vec3 key{0.5, 0, 0}, aim{0.6, 0, 20};
+  ASSERT_FALSE(perspective.project(aim));
+  mark = aimMark(perspective, key, aim, 1.0);
+  EXPECT_TRUE(mark.atEdge);
+  EXPECT_NEAR(mark.pixel.x, 100 + 800 - 12, 1e-9);
+  const Vec2 away = *perspective.project(key + 0.2 * (aim - key)) - *perspective.project(key);
+  const Vec2 toMark = mark.pixel - *perspective.project(key);
+  EXPECT_NEAR(away.x * toMark.y - away.y * toMark.x, 0.0, 1e-6);
+  EXPECT_GT(glm::dot(away, toMark), 0.0);
+}
+
+TEST(ViewportScene, RingsAtTheEdgeCanBePicked) {
+  Flight flight = sixKeys();
+  Key key = flight.keys[1];
+  setAimPoint(key, key.orientations.front(), {500, 20, 3});
+  flight.keys.set(1, key);
+  ViewportInput input = inputOf(flight);
+  input.state.current = {1, 0};
+  ViewportScene scene;
+  const DrawList& list = scene.build(input);
+  const auto aims = handlesOf(list, HandleKind::kAim);
+  ASSERT_EQ(aims.size(), 1u);
+  EXPECT_EQ(handleAt(list, aims[0].pixel + Vec2{3, 3}, 1, 1.0),
+            (HandleId{HandleKind::kAim, 1, 0, Axis::X}));
+}
+
+TEST(ViewportScene, PickingPrefersTheNearestAndThenTheCurrent) {
+  DrawList list;
+  const auto handle = [](std::size_t key, double x) {
+    return Handle{{HandleKind::kKey, key, 0, Axis::X}, {x, 0}, 10.0};
+  };
+  list.handles = {handle(0, 0), handle(1, 5), handle(2, 30)};
+  const auto picked = [&](double x, std::size_t current) -> int {
+    const auto id = handleAt(list, {x, 0}, current, 1.0);
+    return id ? static_cast<int>(id->key) : -1;
+  };
+  EXPECT_EQ(picked(1.0, 2), 0);  // the nearest
+  EXPECT_EQ(picked(1.0, 1), 1);  // within 3 pixels of equal: the current key's
+  EXPECT_EQ(picked(0.9, 1), 0);  // 4.1 - 0.9 is more than 3
+  EXPECT_EQ(picked(4.0, 0), 0);
+  EXPECT_EQ(picked(14.9, 0), 1);  // the current one is beyond its radius
+  EXPECT_EQ(picked(17.0, 0), -1);
+}
+
+TEST(ViewportScene, ADragShowsItsPlaneAndAxesOnTheFaces) {
+  ViewportInput input = inputOf(sixKeys());
+  const Vec3 point{0.25, -0.5, 0.75};
+  input.state.drag = DragDisplay{point, Axis::Y};
+  ViewportScene scene;
+  bool outline = false;
+  int axes = 0;
+  for (const DrawItem& item : scene.build(input).items) {
+    const auto* style = std::get_if<LineStyle>(&item.style);
+    const auto& p = item.geometry->points;
+    if (style == nullptr || item.space != DrawSpace::kCube) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (style->colour !=
+          input.theme[static_cast<ColourRole>(static_cast<int>(ColourRole::kAxisX) + axis)]) {
+        continue;
+      }
+      ++axes;
+      Vec3 from = point, to = point;
+      from[axis] = -1, to[axis] = 1;
+      EXPECT_EQ(p[0], geometryPoint(from));
+      EXPECT_EQ(p[1], geometryPoint(to));
+    }
+    if (style->colour == faded(input.theme[ColourRole::kAxisY], 0.9)) {
+      outline = true;
+      ASSERT_EQ(p.size(), 8u);
+      for (const GeometryPoint& corner : p) {
+        EXPECT_FLOAT_EQ(corner.y, -0.5f);
+        EXPECT_EQ(std::abs(corner.x), 1.0f);
+        EXPECT_EQ(std::abs(corner.z), 1.0f);
+      }
+    }
+  }
+  EXPECT_EQ(axes, 3);
+  EXPECT_TRUE(outline);
+}
+
+TEST(ViewportScene, HoverShowsTheLeftButtonsPlane) {
+  ViewportInput input = inputOf(sixKeys());
+  ViewportScene scene;
+  const auto fills = [&] {
+    int count = 0;
+    for (const DrawItem& item : scene.build(input).items) {
+      const auto* style = std::get_if<FillStyle>(&item.style);
+      if (style == nullptr || item.space != DrawSpace::kCube) continue;
+      EXPECT_EQ(style->colour, faded(input.theme[ColourRole::kAxisX], 0.07));
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(fills(), 0);
+  input.state.hovered = HandleId{HandleKind::kKey, 3, 0, Axis::X};
+  EXPECT_EQ(fills(), 1);
+  input.state.showHoverPlane = false;
+  EXPECT_EQ(fills(), 0);
+}
+
+TEST(ViewportScene, GhostsStandEveryNFrames) {
+  ViewportInput input = inputOf(sixKeys());
+  ViewportScene scene;
+  const auto ghosts = [&]() -> std::size_t {
+    for (const DrawItem& item : scene.build(input).items) {
+      const auto* style = std::get_if<LineStyle>(&item.style);
+      if (style != nullptr && style->colour == input.theme[ColourRole::kGhost]) {
+        EXPECT_EQ(item.geometry->elements() % 8, 0u);
+        return item.geometry->elements() / 8;
+      }
+    }
+    return 0;
+  };
+  const auto frames = static_cast<std::size_t>(input.evaluation.frameCount());
+  input.shown.ghostEvery = 25;
+  EXPECT_EQ(ghosts(), (frames + 24) / 25);
+  input.shown.ghostEvery = 0;
+  EXPECT_LE(ghosts(), static_cast<std::size_t>(kMostGhosts));
+  EXPECT_GT(ghosts(), static_cast<std::size_t>(kMostGhosts) / 3);
+}
+
+TEST(ViewportScene, TheNearestPlaceOnTheCurveHasItsFraction) {
+  ViewportInput input = inputOf(sixKeys());
+  ViewportScene scene;
+  const DrawList& list = scene.build(input);
+  for (const double fraction : {0.1, 0.35, 0.8}) {
+    const Vec2 pixel = *list.view.project(input.evaluation.piecePoint(3, fraction));
+    const auto hit = scene.nearestOnCurve(pixel, 5.0);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->piece, 3u);
+    EXPECT_NEAR(hit->fraction, fraction, 1e-4);
+    EXPECT_LT(hit->distance, 0.01);
+  }
+  EXPECT_FALSE(scene.nearestOnCurve({1, 1}, 5.0));
+}
+
+TEST(ViewportScene, AnySurroundingsMakeAList) {
+  Random random(6);
+  for (const PixelRectangle& r :
+       {PixelRectangle{0, 0, 0, 0}, PixelRectangle{0, 0, 1, 1}, PixelRectangle{0, 0, 16000, 100},
+        PixelRectangle{-500, 3, 17, 4000}}) {
+    for (int round = 0; round < 20; ++round) {
+      ViewportInput input = inputOf(test::randomFlight(random, {true, 20}));
+      input.rectangle = r;
+      input.view = randomEditorView(random);
+      input.view.size = round % 2 == 0 ? 0.25 : 20.0;
+      input.contentScale = round % 3 == 0 ? 0.75 : 3.0;
+      input.margins = {30, 30, 30, 30};
+      ViewportScene scene;
+      for (const DrawText& text : scene.build(input).texts) {
+        EXPECT_TRUE(std::isfinite(text.pixel.x) && std::isfinite(text.pixel.y));
+      }
+      for (const Handle& handle : scene.build(input).handles) {
+        EXPECT_TRUE(std::isfinite(handle.pixel.x) && std::isfinite(handle.pixel.y));
+      }
+    }
+  }
+}
+
+TEST(ViewportScene, ManyKeysAreThinnedButAllCanBePicked) {
+  Random random(6);
+  std::vector<KeyPointer> keys;
+  for (int i = 0; i < 20000; ++i) {
+    Key key;
+    key.position = 0.9 * random.inCube();
+    key.orientations.front().aim = {0, 0, 5};
+    keys.emplace_back(key);
+  }
+  Flight flight;
+  flight.keys = KeyList(std::move(keys));
+  ViewportInput input = inputOf(flight);
+  ViewportScene scene;
+  const DrawList& list = scene.build(input);
+  EXPECT_EQ(handlesOf(list, HandleKind::kKey).size(), 20000u);
+  std::size_t crosses = 0;
+  for (const DrawItem& item : list.items) {
+    const auto* style = std::get_if<MarkerStyle>(&item.style);
+    if (style != nullptr && style->shape == MarkerShape::kCross) {
+      crosses += item.geometry->elements();
+    }
+  }
+  EXPECT_LT(crosses, 800u * 600 / 25);
+  EXPECT_GT(crosses, 2000u);
+  EXPECT_LT(list.texts.size(), 300u);
+}
+
+}  // namespace
+}  // namespace vides
