@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Corners of triangles, in the cube or in pixels.
 #version 330 core
-layout(location = 0) in vec4 place;
+uniform samplerBuffer points;
+uniform int first;
 uniform mat4 toClip;
 uniform vec4 rectangle;
 uniform vec2 target;
@@ -10,6 +11,7 @@ uniform float lift;
 out float far;
 
 void main() {
+  vec4 place = texelFetch(points, 3 * first + gl_VertexID);
   vec4 clip = toClip * vec4(place.xyz, 1.0);
   far = dot(depthPlane, vec4(place.xyz, 1.0));
   // The clip square of the rectangle becomes its part of the framebuffer's.

@@ -17,6 +17,22 @@ uniform float least;  // coverage below which nothing is drawn
 
 layout(location = 0) out vec4 outColour;
 
+// How much of a pixel lies on the lower side of an edge, if its middle is `inside` far from the edge
+// on that side and the edge's normal is `normal`: exact, so that a line is as bright in any
+// direction.
+float covered(float inside, vec2 normal) {
+  float a = max(abs(normal.x), abs(normal.y)), b = min(abs(normal.x), abs(normal.y));
+  float away = abs(inside), reach = 0.5 * (a + b);
+  float share;
+  if (away <= 0.5 * (a - b)) {
+    share = away / a;
+  } else {
+    float rest = max(reach - away, 0.0);
+    share = 0.5 - rest * rest / (2.0 * a * max(b, 1.0e-6));
+  }
+  return 0.5 + sign(inside) * share;
+}
+
 void main() {
   vec2 place = vec2(gl_FragCoord.x, target.y - gl_FragCoord.y);
   // At a join each pixel belongs to one of the two segments, so that none is covered twice.
@@ -31,8 +47,9 @@ void main() {
   float across = dot(offset, vec2(-along.y, along.x));
   float beyond = max(max(-run, run - size), 0.0);
   float away = length(vec2(beyond, across));
-  float coverage = clamp(halfWidth - away + 0.5, 0.0, 1.0) -
-                   clamp(-halfWidth - away + 0.5, 0.0, 1.0);
+  vec2 normal = vec2(-along.y, along.x);
+  if (beyond > 0.0) normal = (along * (run < 0.0 ? -beyond : beyond) + normal * across) / away;
+  float coverage = covered(halfWidth - away, normal) - covered(-halfWidth - away, normal);
   if (dash.x > 0.0) {
     float middle = patternStart + run - 0.5 * dash.x + 0.5 * dash.y;
     float gap = abs(mod(middle, dash.y) - 0.5 * dash.y) - 0.5 * dash.x;

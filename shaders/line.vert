@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// One instance is a segment of a line: cut to what is seen, then widened to a quad in pixels.
+// Six corners are a segment of a line: cut to what is seen, then widened to a quad in pixels.
 #version 330 core
-layout(location = 0) in vec4 before;  // the points around the segment, where the line is joined;
-layout(location = 1) in vec4 start;   // w: pixels of the dashes' pattern, below 0: the line ends
-layout(location = 2) in vec4 end;
-layout(location = 3) in vec4 after;
+// The points; w: pixels of the dashes' pattern, below 0: the line ends. No vertex attributes: one draw
+// of many corners is cheaper than one instance a segment, most of all in software.
+uniform samplerBuffer points;
+uniform int first;
+uniform bool joined;  // polylines: a segment a point, with the points around it; else one a pair
 
 uniform mat4 toClip;
 uniform vec4 rectangle;   // x, y, width, height in pixels, y down: the clip square
@@ -13,7 +14,6 @@ uniform vec4 depthPlane;  // a point's share of the way from near to far
 uniform float nearest;    // w of the front plane; 0 in a parallel projection
 uniform float halfWidth;
 uniform float lift;       // towards the viewer, in clip units
-uniform bool joined;
 
 flat out vec2 from;        // pixels, y down
 flat out vec2 to;
@@ -21,6 +21,7 @@ flat out vec4 cuts;        // normals of the bisectors at both ends; 0: a round 
 flat out float patternStart;
 noperspective out float far;
 
+const int kCorners[6] = int[6](0, 1, 2, 2, 1, 3);
 const float kTiny = 0.01;  // pixels: shorter has no direction
 
 vec2 pixelOf(vec4 clip) {
@@ -55,6 +56,11 @@ void main() {
   from = to = vec2(0.0);
   cuts = vec4(0.0);
   patternStart = far = 0.0;
+  int element = first + gl_VertexID / 6;
+  int which = kCorners[gl_VertexID % 6];
+  int index = joined ? element + 1 : 2 * element;
+  vec4 start = texelFetch(points, index);
+  vec4 end = texelFetch(points, index + 1);
   if (joined && start.w < 0.0) return;
 
   vec4 a = toClip * vec4(start.xyz, 1.0);
@@ -76,6 +82,7 @@ void main() {
   float size = length(way);
   if (joined && size < kTiny) return;  // its neighbours cover it
   vec2 along = size < kTiny ? vec2(1.0, 0.0) : way / size;
+  vec4 before = texelFetch(points, max(index - 1, 0));
   if (joined && before.w >= 0.0 && t0 == 0.0) {
     vec4 clip = toClip * vec4(before.xyz, 1.0);
     vec2 incoming = from - pixelOf(clip);
@@ -84,7 +91,7 @@ void main() {
     }
   }
   if (joined && end.w >= 0.0 && t1 == 1.0) {
-    vec4 clip = toClip * vec4(after.xyz, 1.0);
+    vec4 clip = toClip * vec4(texelFetch(points, index + 2).xyz, 1.0);
     vec2 outgoing = pixelOf(clip) - to;
     if (clip.w > nearest && length(outgoing) >= kTiny) {
       cuts.zw = bisector(along, normalize(outgoing));
@@ -93,8 +100,8 @@ void main() {
   patternStart = joined ? start.w : 0.0;
   if (t0 > 0.0 && a.w > nearest) patternStart += distance(pixelOf(a), from);
 
-  bool atStart = gl_VertexID < 2;
-  float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
+  bool atStart = which < 2;
+  float side = (which & 1) == 0 ? -1.0 : 1.0;
   float whole = halfWidth + 1.0;
   vec2 corner = atStart ? from - along * reachOf(cuts.xy, along, whole)
                         : to + along * reachOf(cuts.zw, along, whole);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One instance is a sign of fixed size at a place.
+// Six corners are a sign of fixed size at a place.
 #version 330 core
-layout(location = 0) in vec4 place;
+uniform samplerBuffer points;
+uniform int first;
 
 uniform mat4 toClip;
 uniform vec4 rectangle;
@@ -12,6 +13,8 @@ uniform float lift;
 uniform vec2 offset;   // pixels, y down
 uniform float reach;   // pixels from the middle that the sign may cover
 
+const int kCorners[6] = int[6](0, 1, 2, 2, 1, 3);
+
 flat out vec2 middle;
 flat out float far;
 
@@ -19,12 +22,14 @@ void main() {
   middle = vec2(0.0);
   far = 0.0;
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  vec4 place = texelFetch(points, first + gl_VertexID / 6);
+  int which = kCorners[gl_VertexID % 6];
   vec4 clip = toClip * vec4(place.xyz, 1.0);
   if (clip.w <= nearest) return;
   middle = rectangle.xy + offset +
            rectangle.zw * (vec2(0.5) + vec2(0.5, -0.5) * clip.xy / clip.w);
   far = clamp(dot(depthPlane, vec4(place.xyz, 1.0)), 0.0, 1.0);
-  vec2 side = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, gl_VertexID < 2 ? -1.0 : 1.0);
+  vec2 side = vec2((which & 1) == 0 ? -1.0 : 1.0, which < 2 ? -1.0 : 1.0);
   vec2 corner = middle + side * reach;
   float depth = clamp(clip.z / clip.w - lift, -1.0, 1.0);
   gl_Position = vec4(2.0 * corner.x / target.x - 1.0, 1.0 - 2.0 * corner.y / target.y, depth, 1.0);

@@ -15,19 +15,22 @@ constexpr std::size_t kMostSpare = 32;
 
 void SceneBuffers::bind(const SharedGeometry& geometry) {
   Entry& entry = entries_[geometry.get()];
+  Texels& texels = entry.texels;
   // Another object may stand where one was that is gone.
-  if (entry.buffer.id() != 0 && entry.geometry.lock() == geometry) {
-    entry.buffer.bind();
-    return;
-  }
-  entry.geometry = geometry;
-  if (entry.buffer.id() == 0 && !spare_.empty()) {
-    entry.buffer = std::move(spare_.back());
+  const bool known = texels.texture && entry.geometry.lock() == geometry;
+  if (!texels.texture && !spare_.empty()) {
+    texels = std::move(spare_.back());
     spare_.pop_back();
   }
-  if (entry.buffer.id() == 0) entry.buffer = Buffer(*gl_, GL_ARRAY_BUFFER);
+  const bool fresh = !texels.texture;
+  if (fresh) texels = {Buffer(*gl_, GL_TEXTURE_BUFFER), TextureHandle(*gl_)};
+  gl_->BindTexture(GL_TEXTURE_BUFFER, texels.texture.id());
+  if (known) return;
+
+  entry.geometry = geometry;
   const auto bytes = std::as_bytes(std::span(geometry->points));
-  entry.buffer.upload(bytes, GL_STATIC_DRAW);
+  texels.buffer.upload(bytes, GL_STATIC_DRAW);
+  if (fresh) gl_->TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, texels.buffer.id());
   ++uploads_;
   uploadedBytes_ += bytes.size();
 }
@@ -38,7 +41,7 @@ void SceneBuffers::collect() {
       ++i;
       continue;
     }
-    if (spare_.size() < kMostSpare) spare_.push_back(std::move(i->second.buffer));
+    if (spare_.size() < kMostSpare) spare_.push_back(std::move(i->second.texels));
     i = entries_.erase(i);
   }
 }

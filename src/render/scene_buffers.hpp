@@ -16,7 +16,7 @@ class SceneBuffers {
  public:
   explicit SceneBuffers(const Gl& gl) : gl_(&gl) {}
 
-  // Binds the buffer that holds the geometry's points.
+  // Binds the buffer texture that holds the geometry's points, a texel each, to the active unit.
   void bind(const SharedGeometry& geometry);
   // Takes back the buffers of geometry that is gone, for the next that comes.
   void collect();
@@ -26,14 +26,18 @@ class SceneBuffers {
   void resetCounts() { uploads_ = uploadedBytes_ = 0; }
 
  private:
+  struct Texels {
+    Buffer buffer;
+    TextureHandle texture;
+  };
   struct Entry {
     std::weak_ptr<const Geometry> geometry;
-    Buffer buffer;
+    Texels texels;
   };
 
   const Gl* gl_;
   std::unordered_map<const Geometry*, Entry> entries_;
-  std::vector<Buffer> spare_;
+  std::vector<Texels> spare_;
   std::size_t uploads_ = 0;
   std::size_t uploadedBytes_ = 0;
 };

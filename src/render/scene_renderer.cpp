@@ -20,11 +20,13 @@ constexpr float kSeen = 0.004f;
 constexpr float kHides = 0.5f;
 // With more than this, what is hidden is left out instead of shining through the edges of what
 // hides it.
-constexpr std::size_t kMostLayered = 20000;
+constexpr std::size_t kMostLayered = 3000;
 // The depth between two lifts, in clip units: some steps of a 24-bit depth buffer.
 constexpr float kLiftStep = 4.0e-6f;
 
-enum class Pass { kHiding, kHidden, kVisible, kOnTop };
+// Depth alone, of what covers half a pixel; then colours: behind that, at it, and what little there
+// is before it. The order in which things are drawn does not show.
+enum class Pass { kHiding, kHidden, kVisible, kBefore, kOnTop };
 
 glm::vec4 toVector(const Colour& c) { return glm::vec4(c.red, c.green, c.blue, c.alpha) / 255.0f; }
 
@@ -46,7 +48,7 @@ PixelBox pixelBox(const PixelRectangle& r, int width, int height) {
 // What all shaders are told once a list, and what they are told for each item.
 struct Uniforms {
   GLint toClip, rectangle, target, depthPlane, nearest, ground;
-  GLint colour, fade, lift, least;
+  GLint colour, fade, lift, first, least;
 };
 
 }  // namespace
@@ -55,25 +57,23 @@ struct SceneRenderer::Parts {
   explicit Parts(const Gl& table) : gl(table), buffers(table), vertexArray(table) {}
 
   tl::expected<void, std::string> build();
-  void drawGround(const DrawList& list);
-  void drawPass(const DrawList& list, Pass pass);
+  void clearGround(const DrawList& list, const PixelBox& box);
+  void drawPass(const DrawList& list, Pass pass, bool layered);
   void drawItem(const DrawItem& item, Pass pass);
   void drawLines(const DrawItem& item, const LineStyle& style);
   void drawMarkers(const DrawItem& item, const MarkerStyle& style);
   void drawFill(const DrawItem& item, const FillStyle& style);
   void use(const ShaderProgram& program, const Uniforms& uniforms, const DrawItem& item);
-  void point(GLuint attribute, std::size_t index, std::size_t stride, GLuint divisor);
   void setUp(const DrawList& list, int width, int height);
 
   const Gl& gl;
   SceneBuffers buffers;
-  VertexArray vertexArray;
-  ShaderProgram line, marker, fill, ground;
+  VertexArray vertexArray;  // without attributes: the shaders fetch the points
+  ShaderProgram line, marker, fill;
   Uniforms lineUniforms{}, markerUniforms{}, fillUniforms{};
   GLint lineHalfWidth = -1, lineDash = -1, lineJoined = -1;
   GLint markerOffset = -1, markerReach = -1, markerShape = -1, markerRadius = -1;
   GLint markerHalfWidth = -1, markerFill = -1;
-  GLint groundTarget = -1, groundRectangle = -1, groundTop = -1, groundBottom = -1;
 
   // Of the list that is being drawn.
   glm::mat4 cubeToClip{1.0f}, pixelsToClip{1.0f};
@@ -106,7 +106,19 @@ Uniforms find(const ShaderProgram& p, bool isFill) {
           p.uniform("colour"),
           p.uniform("fade"),
           p.uniform("lift"),
+          p.uniform("first"),
           isFill ? -1 : p.uniform("least")};
+}
+
+GLenum depthFunction(Pass pass, bool layered) {
+  switch (pass) {
+    case Pass::kHidden:
+      return GL_GREATER;
+    case Pass::kVisible:
+      return layered ? GL_EQUAL : GL_LEQUAL;
+    default:
+      return GL_LESS;
+  }
 }
 
 bool inPass(const DrawItem& item, Pass pass) {
@@ -126,9 +138,7 @@ tl::expected<void, std::string> SceneRenderer::Parts::build() {
       take(line, "line", shaders::kLineVert, shaders::kLineFrag)
           .and_then(
               [&] { return take(marker, "marker", shaders::kMarkerVert, shaders::kMarkerFrag); })
-          .and_then([&] { return take(fill, "fill", shaders::kFillVert, shaders::kFillFrag); })
-          .and_then(
-              [&] { return take(ground, "ground", shaders::kGroundVert, shaders::kGroundFrag); });
+          .and_then([&] { return take(fill, "fill", shaders::kFillVert, shaders::kFillFrag); });
   if (!built) return built;
   lineUniforms = find(line, false);
   markerUniforms = find(marker, false);
@@ -142,10 +152,6 @@ tl::expected<void, std::string> SceneRenderer::Parts::build() {
   markerRadius = marker.uniform("radius");
   markerHalfWidth = marker.uniform("halfWidth");
   markerFill = marker.uniform("fill");
-  groundTarget = ground.uniform("target");
-  groundRectangle = ground.uniform("rectangle");
-  groundTop = ground.uniform("top");
-  groundBottom = ground.uniform("bottom");
   return {};
 }
 
@@ -172,20 +178,28 @@ void SceneRenderer::Parts::setUp(const DrawList& list, int width, int height) {
   programInUse = 0;
 }
 
-void SceneRenderer::Parts::drawGround(const DrawList& list) {
-  if (list.groundTop == list.groundBottom) {
-    const glm::vec4 c = toVector(list.groundTop);
+// A clear for each band of rows of one colour: much cheaper than a surface, and as smooth, for the
+// bands differ by one step of the channel that changes most.
+void SceneRenderer::Parts::clearGround(const DrawList& list, const PixelBox& box) {
+  const PixelRectangle& r = list.view.pixels();
+  const Colour &top = list.groundTop, &bottom = list.groundBottom;
+  const int steps = std::max({std::abs(top.red - bottom.red), std::abs(top.green - bottom.green),
+                              std::abs(top.blue - bottom.blue)});
+  const auto colourOf = [&](GLint row) {
+    const double share = (static_cast<double>(target.y) - row - 0.5 - r.y) / r.height;
+    return steps == 0 ? top : mix(top, bottom, std::round(share * steps) / steps);
+  };
+  for (GLint row = box.y; row < box.y + box.height;) {
+    const Colour band = colourOf(row);
+    GLint end = row + 1;
+    while (end < box.y + box.height && colourOf(end) == band) ++end;
+    const glm::vec4 c = toVector(band);
+    gl.Scissor(box.x, row, box.width, end - row);
     gl.ClearColor(c.r, c.g, c.b, 1.0f);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    return;
+    row = end;
   }
-  ground.use();
-  gl.Uniform2fv(groundTarget, 1, glm::value_ptr(target));
-  gl.Uniform4fv(groundRectangle, 1, glm::value_ptr(rectangle));
-  gl.Uniform3fv(groundTop, 1, glm::value_ptr(toVector(list.groundTop)));
-  gl.Uniform3fv(groundBottom, 1, glm::value_ptr(toVector(list.groundBottom)));
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  ++statistics.drawCalls;
+  gl.Scissor(box.x, box.y, box.width, box.height);
 }
 
 void SceneRenderer::Parts::use(const ShaderProgram& program, const Uniforms& u,
@@ -208,17 +222,9 @@ void SceneRenderer::Parts::use(const ShaderProgram& program, const Uniforms& u,
     gl.Uniform4fv(u.depthPlane, 1, glm::value_ptr(plane));
     if (u.nearest >= 0) gl.Uniform1f(u.nearest, inPixels ? 0.0f : nearest);
   }
+  gl.Uniform1i(u.first, static_cast<GLint>(item.first));
   gl.Uniform1f(u.fade, item.fade);
   gl.Uniform1f(u.lift, kLiftStep * static_cast<float>(item.lift));
-}
-
-void SceneRenderer::Parts::point(GLuint attribute, std::size_t index, std::size_t stride,
-                                 GLuint divisor) {
-  gl.EnableVertexAttribArray(attribute);
-  gl.VertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE,
-                         static_cast<GLsizei>(stride * sizeof(GeometryPoint)),
-                         reinterpret_cast<const void*>(index * sizeof(GeometryPoint)));
-  gl.VertexAttribDivisor(attribute, divisor);
 }
 
 void SceneRenderer::Parts::drawLines(const DrawItem& item, const LineStyle& style) {
@@ -226,17 +232,8 @@ void SceneRenderer::Parts::drawLines(const DrawItem& item, const LineStyle& styl
   gl.Uniform4fv(lineUniforms.colour, 1, glm::value_ptr(toVector(style.colour)));
   gl.Uniform1f(lineHalfWidth, 0.5f * style.width);
   gl.Uniform2f(lineDash, style.dashOn, style.dashOn + style.dashOff);
-  const bool joined = item.geometry->primitive == Primitive::kPolylines;
-  gl.Uniform1i(lineJoined, joined ? 1 : 0);
-  if (joined) {
-    for (GLuint i = 0; i < 4; ++i) point(i, item.first + i, 1, 1);
-  } else {
-    point(0, 2 * item.first, 2, 1);
-    point(1, 2 * item.first, 2, 1);
-    point(2, 2 * item.first + 1, 2, 1);
-    point(3, 2 * item.first + 1, 2, 1);
-  }
-  gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(item.count));
+  gl.Uniform1i(lineJoined, item.geometry->primitive == Primitive::kPolylines ? 1 : 0);
+  gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * item.count));
 }
 
 void SceneRenderer::Parts::drawMarkers(const DrawItem& item, const MarkerStyle& style) {
@@ -249,16 +246,12 @@ void SceneRenderer::Parts::drawMarkers(const DrawItem& item, const MarkerStyle& 
   gl.Uniform1f(markerRadius, style.radius);
   gl.Uniform1f(markerHalfWidth, 0.5f * style.width);
   gl.Uniform1f(markerReach, style.radius + 0.5f * style.width + 1.0f);
-  point(0, item.first, 1, 1);
-  for (GLuint i = 1; i < 4; ++i) gl.DisableVertexAttribArray(i);
-  gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(item.count));
+  gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * item.count));
 }
 
 void SceneRenderer::Parts::drawFill(const DrawItem& item, const FillStyle& style) {
   use(fill, fillUniforms, item);
   gl.Uniform4fv(fillUniforms.colour, 1, glm::value_ptr(toVector(style.colour)));
-  point(0, 3 * item.first, 1, 0);
-  for (GLuint i = 1; i < 4; ++i) gl.DisableVertexAttribArray(i);
   gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * item.count));
 }
 
@@ -271,7 +264,7 @@ void SceneRenderer::Parts::drawItem(const DrawItem& whole, Pass pass) {
   if (item.count == 0) return;
   // Surfaces are drawn with the first pass, opaque.
   const bool surface = item.geometry->primitive == Primitive::kTriangles;
-  if (surface && (pass == Pass::kHidden || pass == Pass::kVisible)) return;
+  if (surface && pass != Pass::kHiding && pass != Pass::kOnTop) return;
 
   buffers.bind(item.geometry);
   const GLboolean seen = pass != Pass::kHiding || surface ? GL_TRUE : GL_FALSE;
@@ -289,11 +282,11 @@ void SceneRenderer::Parts::drawItem(const DrawItem& whole, Pass pass) {
   if (pass == Pass::kHiding || pass == Pass::kOnTop) statistics.elements += item.count;
 }
 
-void SceneRenderer::Parts::drawPass(const DrawList& list, Pass pass) {
+void SceneRenderer::Parts::drawPass(const DrawList& list, Pass pass, bool layered) {
   programInUse = 0;  // `least` changes
   least = pass == Pass::kHiding ? kHides : kSeen;
   gl.DepthMask(pass == Pass::kHiding ? GL_TRUE : GL_FALSE);
-  gl.DepthFunc(pass == Pass::kHidden ? GL_GREATER : GL_LEQUAL);
+  gl.DepthFunc(depthFunction(pass, layered));
   if (pass == Pass::kOnTop) gl.Disable(GL_DEPTH_TEST);
   for (const DrawItem& item : list.items) {
     if (inPass(item, pass)) drawItem(item, pass);
@@ -328,6 +321,7 @@ void SceneRenderer::draw(const DrawList& list, int width, int height) {
   gl.Enable(GL_SCISSOR_TEST);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.BindVertexArray(p.vertexArray.id());
+  gl.ActiveTexture(GL_TEXTURE0);
   if (list.outer) {
     const PixelBox box = pixelBox(*list.outer, width, height);
     const glm::vec4 c = toVector(list.bars);
@@ -342,7 +336,7 @@ void SceneRenderer::draw(const DrawList& list, int width, int height) {
   gl.ClearDepth(1.0);
   gl.ClearStencil(0);
   gl.Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  p.drawGround(list);
+  p.clearGround(list, box);
 
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_FUNC_ADD);
@@ -350,13 +344,15 @@ void SceneRenderer::draw(const DrawList& list, int width, int height) {
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_STENCIL_TEST);
   gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  p.drawPass(list, Pass::kHiding);
+  p.drawPass(list, Pass::kHiding, true);
+  const bool layered = p.statistics.elements <= kMostLayered;
   gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  if (p.statistics.elements <= kMostLayered) p.drawPass(list, Pass::kHidden);
+  if (layered) p.drawPass(list, Pass::kHidden, true);
   gl.StencilFunc(GL_ALWAYS, 0, 0xff);
-  p.drawPass(list, Pass::kVisible);
+  p.drawPass(list, Pass::kVisible, layered);
+  if (layered) p.drawPass(list, Pass::kBefore, true);
   gl.Disable(GL_STENCIL_TEST);
-  p.drawPass(list, Pass::kOnTop);
+  p.drawPass(list, Pass::kOnTop, layered);
 
   gl.Disable(GL_BLEND);
   gl.Disable(GL_SCISSOR_TEST);
@@ -364,6 +360,7 @@ void SceneRenderer::draw(const DrawList& list, int width, int height) {
   gl.DepthFunc(GL_LESS);
   gl.UseProgram(0);
   gl.BindVertexArray(0);
+  gl.BindTexture(GL_TEXTURE_BUFFER, 0);
   p.statistics.uploads = p.buffers.uploads();
   p.statistics.uploadedBytes = p.buffers.uploadedBytes();
   p.buffers.collect();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws a list of things (scene/draw_list.hpp) through a table of OpenGL functions.
 //
-// Lines are quads of their own, one instance a segment, expanded in the vertex shader and covered
+// Lines are quads, expanded in the vertex shader from points in a buffer texture, and covered
 // analytically in the fragment shader: any width and dash, no multisampling, no driver's line
 // width. What is tested against depth is blended in two layers, the hidden before the hiding, so
 // that edges have no dark seams. Colours are plain sRGB bytes and blend as such.

@@ -92,6 +92,11 @@ void CamerasPart::addPlayhead(const ViewportContext& context) {
                       pixelsPerUnitAt(context.view(), camera.viewReferencePoint);
   std::vector<GeometryPoint> points;
   addPyramid(points, camera, context.flight(), size, true);
+  for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
+    const auto from = context.view().project({points[i].x, points[i].y, points[i].z});
+    const auto to = context.view().project({points[i + 1].x, points[i + 1].y, points[i + 1].z});
+    if (from && to) context.labels.blockLine(*from, *to, kBlockedByLine);
+  }
   DrawItem item;
   item.geometry = playhead_.keep(Primitive::kSegments, std::move(points));
   item.style = LineStyle{context.colour(ColourRole::kPlayhead), context.pixels(1.3)};

@@ -15,6 +15,25 @@ bool facesViewer(const ViewProjection& view, int axis, double sign) {
   return sign * view.referencePoint()[axis] - 1.0 > kFacing;
 }
 
+// Whether edge i is seen exactly behind an edge in front, or as a point: in the named views. Its
+// dashes would show through the edges of the line before it.
+bool isCovered(const ViewProjection& view, std::size_t i, std::uint32_t behind) {
+  constexpr double kSamePixel = 0.25;
+  const auto a = view.project(cubeCorner(kCubeEdges[i][0]));
+  const auto b = view.project(cubeCorner(kCubeEdges[i][1]));
+  if (!a || !b) return false;
+  if (glm::distance(*a, *b) < kSamePixel) return true;
+  for (std::size_t k = 0; k < kCubeEdges.size(); ++k) {
+    if ((behind >> k & 1) != 0) continue;
+    const auto c = view.project(cubeCorner(kCubeEdges[k][0]));
+    const auto d = view.project(cubeCorner(kCubeEdges[k][1]));
+    if (c && d && glm::distance(*a, *c) < kSamePixel && glm::distance(*b, *d) < kSamePixel) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 Vec3 cubeCorner(int number) {
@@ -39,7 +58,9 @@ void CubePart::add(DrawList& list, const Theme& theme, double contentScale) {
   std::vector<GeometryPoint> front, back;
   const std::uint32_t behind = cubeEdgesBehind(list.view);
   for (std::size_t i = 0; i < kCubeEdges.size(); ++i) {
-    auto& points = (behind >> i & 1) != 0 ? back : front;
+    const bool isBehind = (behind >> i & 1) != 0;
+    if (isBehind && isCovered(list.view, i, behind)) continue;
+    auto& points = isBehind ? back : front;
     for (const int corner : kCubeEdges[i]) points.push_back(geometryPoint(cubeCorner(corner)));
   }
   const auto scale = static_cast<float>(contentScale);

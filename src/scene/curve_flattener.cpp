@@ -36,6 +36,12 @@ class Scale {
     unseenLevel_ = levelOf(pixels_ / middle);
   }
 
+  // In a parallel projection all pieces have the same.
+  std::optional<int> common() const {
+    if (view_.perspective()) return std::nullopt;
+    return parallelLevel_;
+  }
+
   int level(const CubicSegment& piece) const {
     if (!view_.perspective()) return parallelLevel_;
     const auto points = controlPoints(piece);
@@ -127,18 +133,22 @@ bool mayBeSeen(const ViewProjection& view, const Vec3& low, const Vec3& high, do
 }
 
 void CurveFlattener::update(const Evaluation& evaluation, const ViewProjection& view) {
+  const Scale scale(view);
+  rebuilt_ = 0;
+  const bool sameEvaluation = !chunks_.empty() && evaluation_.sameAs(evaluation);
+  const bool sameScale = scale.common() && scale.common() == commonLevel_;
+  commonLevel_ = scale.common();
   evaluation_ = evaluation;
   view_ = view;
+  if (sameEvaluation && sameScale) return;
   closed_ = evaluation.flight().closed;
   const std::size_t count = evaluation.pieceCount();
   const std::size_t before = pieces_.size();
-  const Scale scale(view_);
   pieces_.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     pieces_[k] = {evaluation.pieceIdentity(k), scale.level(evaluation.piece(k))};
   }
 
-  rebuilt_ = 0;
   if (count == before) {
     for (Chunk& chunk : chunks_) {
       if (!fits(chunk, chunk.first)) make(chunk);

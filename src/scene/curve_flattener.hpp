@@ -65,6 +65,7 @@ class CurveFlattener {
 
   Evaluation evaluation_;
   ViewProjection view_;
+  std::optional<int> commonLevel_;  // of all pieces, in a parallel projection
   bool closed_ = false;
   std::vector<Piece> pieces_;
   std::vector<Chunk> chunks_;

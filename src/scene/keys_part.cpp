@@ -40,6 +40,13 @@ class Density {
   std::vector<bool> taken_;
 };
 
+// The current key alone needs no mark: it has its colour.
+bool showsSelection(const ViewportContext& context) {
+  const ViewportState& state = context.input.state;
+  return state.selected.size() > 1 ||
+         (!state.selected.empty() && state.selected.front() != state.current.key);
+}
+
 }  // namespace
 
 bool ViewportContext::sees(const Vec2& pixel, double margin) const {
@@ -93,8 +100,7 @@ void KeysPart::addMarks(const ViewportContext& context) {
   item.depth = DrawDepth::kOnTop;
 
   std::vector<GeometryPoint> points;
-  if (state.selected.size() > 1 ||
-      (!state.selected.empty() && state.selected.front() != state.current.key)) {
+  if (showsSelection(context)) {
     for (const std::size_t key : state.selected) {
       if (key < keys.size()) points.push_back(geometryPoint(keys[key].position));
     }
@@ -123,7 +129,10 @@ void KeysPart::addNumber(const ViewportContext& context, const Place& place, boo
   const std::string text = std::to_string(place.key + 1);
   const Vec2 size{static_cast<double>(text.size()) * context.input.text.digitWidth,
                   context.input.text.lineHeight};
-  const auto pixel = context.labels.place(place.pixel, 9.0 * context.scale(), size, current);
+  const bool marked = showsSelection(context) &&
+                      std::ranges::binary_search(context.input.state.selected, place.key);
+  const double gap = (marked ? 15.0 : 9.0) * context.scale();
+  const auto pixel = context.labels.place(place.pixel, gap, size, current);
   if (!pixel) return;
   const ColourRole role = current ? ColourRole::kAccent : ColourRole::kKey;
   context.list.texts.push_back({text, *pixel, context.colour(role), current});

@@ -41,7 +41,7 @@ struct ShownElements {
   bool operator==(const ShownElements&) const = default;
 };
 
-inline constexpr std::int64_t kMostGhosts = 400;
+inline constexpr std::int64_t kMostGhosts = 250;
 
 // What a drag shows. The flight in the input is already the dragged one.
 struct DragDisplay {

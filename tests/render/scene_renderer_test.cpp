@@ -77,7 +77,7 @@ TEST_F(SceneRendererTest, ALineCoversItsArea) {
                           LineStyle{kWhite, width}));
       // With round ends of half a disc each.
       const double ends = std::numbers::pi * width * width / 4;
-      EXPECT_NEAR(area(picture), 50.0 * width + ends, 0.02 * 50.0 * width + 1.0)
+      EXPECT_NEAR(area(picture), 50.0 * width + ends, 0.005 * 50.0 * width + 0.5)
           << width << " at " << degrees;
     }
   }
@@ -98,7 +98,7 @@ TEST_F(SceneRendererTest, JoinsCoverNoPixelTwice) {
   for (const float width : {1.2f, 2.2f, 6.0f}) {
     std::vector<Vec2> circle;
     for (int i = 0; i <= 90; ++i) {
-      const double angle = i * 3.6 * std::numbers::pi / 180;
+      const double angle = i * 4.0 * std::numbers::pi / 180;
       circle.push_back(Vec2{50, 40} + 30.0 * Vec2{std::cos(angle), std::sin(angle)});
     }
     const Picture picture =
@@ -110,7 +110,9 @@ TEST_F(SceneRendererTest, JoinsCoverNoPixelTwice) {
       if (x < 76) brightest = std::max<int>(brightest, picture.rgba[i]);
     }
     EXPECT_LE(brightest, 129) << width;
-    EXPECT_NEAR(area(picture), 0.5 * 2 * std::numbers::pi * 30 * width, 2.0) << width;
+    // Where the ends meet, half a disc of either lies on the other.
+    EXPECT_NEAR(area(picture), 0.5 * 2 * std::numbers::pi * 30 * width, 2.0 + 0.3 * width * width)
+        << width;
   }
 }
 
@@ -212,7 +214,7 @@ TEST_F(SceneRendererTest, LinesThroughTheViewersPlaneAreCutThere) {
   const Picture right = lineTo({1, 0, 2});  // leaves at the right edge
   for (int x = 52; x < 99; ++x) EXPECT_EQ(right.pixel(x, 40)[0], 255) << x;
   for (int x = 0; x < 47; ++x) EXPECT_EQ(right.pixel(x, 40)[0], 0) << x;
-  const Picture up = lineTo({0, 1, 1e6});
+  const Picture up = lineTo({0, 1e5, 1e5});
   for (int y = 0; y < 38; ++y) EXPECT_EQ(up.pixel(50, y)[0], 255) << y;
   for (int y = 43; y < 80; ++y) EXPECT_EQ(up.pixel(50, y)[0], 0) << y;
   // Through the camera itself: a point in the middle.
@@ -235,7 +237,9 @@ TEST_F(SceneRendererTest, TheNearerLineHidesTheFartherWithoutDarkSeams) {
   };
   for (const float width : {1.2f, 2.2f, 5.0f}) {
     const Picture picture = cross(true, width);
-    EXPECT_EQ(picture, cross(false, width)) << width;
+    // Only where both cover a pixel faintly does their order show.
+    const PictureDifference order = comparePictures(picture, cross(false, width), {0.1, 0.0});
+    EXPECT_LE(order.pixels, 2u) << width << ": " << order.sentence;
     const auto middle = picture.pixel(50, 40);
     EXPECT_GT(middle[0], width < 2 ? 100 : 250);
     // Over the thick green line red and green add up to one everywhere: no black shines through.
