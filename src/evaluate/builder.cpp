@@ -63,13 +63,14 @@ EvaluationTree buildWhole(const Flight& flight, const EvaluationTree* reuse) {
     if (k < n) return keys[k];
     return flight.closed ? keys[k - n] : nullptr;
   };
-  const auto slab = std::make_shared<RecordSlab>(n);
+  const auto recordSlab = std::make_shared<Slab<KeyRecord>>(n);
+  const auto pieceSlab = std::make_shared<Slab<CurvePiece>>(n);
   std::vector<FreshRecord> records(n);
   for (std::size_t k = 0; k < n; ++k) {
     const Key* before = k > 0 ? keys[k - 1] : flight.closed ? keys[n - 1] : nullptr;
-    records[k] = RecordSlab::record(slab, k);
+    records[k] = Slab<KeyRecord>::item(recordSlab, k);
     fillRecord(*records[k], flight, before, *keys[k], keyAt(k + 1), keyAt(k + 2), pieces[k],
-               RecordSlab::piece(slab, k));
+               Slab<CurvePiece>::item(pieceSlab, k));
   }
   const EvaluationTree stage1 = treeOf(records);
   const WholeChain chain(stage1, flight, records);

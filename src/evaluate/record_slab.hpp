@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room for the records and pieces of a whole flight in one block of memory.
+// Room for the records or the pieces of a whole flight in one block of memory.
 #pragma once
 
 #include <cstddef>
@@ -11,49 +11,44 @@
 #include <sys/mman.h>
 #endif
 
-#include "evaluate/records.hpp"
-
 namespace vides {
 
-// A record beside the piece that begins at its key: the two that a frame needs. In a long flight
-// the block lies on large pages where the system has them, so that looking up a frame does not also
-// wait for the page tables. The slab lives as long as any of its records or pieces is shared.
-class RecordSlab {
+// Items of one kind, value-initialised. In a long flight the block lies on large pages where the
+// system has them, so that looking up a frame does not also wait for the page tables. The slab
+// lives as long as any of its items is shared.
+//
+// Records and the pieces that they share lie in slabs of their own: a record in the block of its
+// own piece would keep that block, and so itself, alive for ever.
+template <class T>
+class Slab {
  public:
-  explicit RecordSlab(std::size_t size) : size_(size) {
+  explicit Slab(std::size_t size) : size_(size) {
     constexpr std::size_t kLargePage = std::size_t{2} << 20;
-    const bool large = size * sizeof(Place) >= kLargePage;
-    const std::size_t alignment = large ? kLargePage : alignof(Place);
-    const std::size_t bytes = (size * sizeof(Place) + alignment - 1) / alignment * alignment;
+    const bool large = size * sizeof(T) >= kLargePage;
+    const std::size_t alignment = large ? kLargePage : alignof(T);
+    const std::size_t bytes = (size * sizeof(T) + alignment - 1) / alignment * alignment;
     void* memory = std::aligned_alloc(alignment, bytes);
     if (memory == nullptr) throw std::bad_alloc();
 #if defined(__linux__)
     if (large) madvise(memory, bytes, MADV_HUGEPAGE);  // only advice: failing costs nothing
 #endif
-    places_ = static_cast<Place*>(memory);
-    std::uninitialized_value_construct_n(places_, size_);
+    items_ = static_cast<T*>(memory);
+    std::uninitialized_value_construct_n(items_, size_);
   }
-  ~RecordSlab() {
-    std::destroy_n(places_, size_);
-    std::free(places_);
+  ~Slab() {
+    std::destroy_n(items_, size_);
+    std::free(items_);
   }
-  RecordSlab(const RecordSlab&) = delete;
-  RecordSlab& operator=(const RecordSlab&) = delete;
+  Slab(const Slab&) = delete;
+  Slab& operator=(const Slab&) = delete;
 
-  static std::shared_ptr<KeyRecord> record(const std::shared_ptr<RecordSlab>& slab, std::size_t k) {
-    return {slab, &slab->places_[k].record};
-  }
-  static std::shared_ptr<CurvePiece> piece(const std::shared_ptr<RecordSlab>& slab, std::size_t k) {
-    return {slab, &slab->places_[k].piece};
+  static std::shared_ptr<T> item(const std::shared_ptr<Slab>& slab, std::size_t k) {
+    return {slab, &slab->items_[k]};
   }
 
  private:
-  struct Place {
-    CurvePiece piece;
-    KeyRecord record;
-  };
   std::size_t size_;
-  Place* places_ = nullptr;
+  T* items_ = nullptr;
 };
 
 }  // namespace vides
