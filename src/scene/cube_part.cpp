@@ -2,12 +2,17 @@
 // Decides which of the cube's edges lie behind, and brings a scene into the cube.
 #include "scene/cube_part.hpp"
 
-#include <vector>
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "scene/curve_flattener.hpp"
 
 namespace vides {
 namespace {
 
 constexpr double kFacing = 1e-9;
+// OpenGL 3.3 promises buffer textures of 65,536 texels; an edge takes two.
+constexpr std::size_t kMostInChunk = 32768;
 
 // Whether the face where coordinate `axis` is `sign` is turned to the viewer.
 bool facesViewer(const ViewProjection& view, int axis, double sign) {
@@ -78,51 +83,67 @@ void CubePart::add(DrawList& list, const Theme& theme, double contentScale) {
   list.items.push_back(item);
 }
 
+// `place(element, points)` appends the points of an element.
+template <class Elements, class Place>
+std::vector<ScenePart::Chunk> ScenePart::divide(Primitive primitive, const Elements& elements,
+                                                Place place) {
+  std::vector<Chunk> chunks;
+  for (std::size_t first = 0; first < elements.size(); first += kMostInChunk) {
+    auto geometry = std::make_shared<Geometry>(Geometry{primitive, {}});
+    const std::size_t last = std::min(first + kMostInChunk, elements.size());
+    for (std::size_t i = first; i < last; ++i) place(elements[i], geometry->points);
+    const auto& front = geometry->points.front();
+    Chunk chunk{nullptr, {front.x, front.y, front.z}, {front.x, front.y, front.z}};
+    for (const GeometryPoint& p : geometry->points) {
+      chunk.low = glm::min(chunk.low, Vec3{p.x, p.y, p.z});
+      chunk.high = glm::max(chunk.high, Vec3{p.x, p.y, p.z});
+    }
+    chunk.geometry = std::move(geometry);
+    chunks.push_back(std::move(chunk));
+  }
+  return chunks;
+}
+
 void ScenePart::add(DrawList& list, const SharedScene& scene, const Space& space, bool asPoints,
                     const Theme& theme, double contentScale) {
   if (!scene || scene->empty()) return;
-  if (scene != scene_ || !(space == space_)) {
+  if (scene != scene_ || !(space == space_) || asPoints != asPoints_) {
     scene_ = scene;
     space_ = space;
-    edges_ = points_ = positions_ = nullptr;
+    asPoints_ = asPoints;
+    const auto place = [&](const Vec3& position, std::vector<GeometryPoint>& points) {
+      points.push_back(geometryPoint(space.toCube(position)));
+    };
+    const auto placeAt = [&](std::uint32_t index, std::vector<GeometryPoint>& points) {
+      place(scene->positions[index], points);
+    };
+    edges_.clear();
+    if (asPoints) {
+      points_ = divide(Primitive::kMarkers, scene->positions, place);
+    } else {
+      points_ = divide(Primitive::kMarkers, scene->points, placeAt);
+      edges_ = divide(Primitive::kSegments, scene->edges,
+                      [&](const auto& edge, std::vector<GeometryPoint>& points) {
+                        placeAt(edge[0], points);
+                        placeAt(edge[1], points);
+                      });
+    }
   }
-  const auto place = [&](std::uint32_t index) {
-    return geometryPoint(space.toCube(scene->positions[index]));
-  };
   const auto scale = static_cast<float>(contentScale);
   const Colour colour = theme[ColourRole::kScene];
   DrawItem item;
   item.fade = 0.45f;
-
-  const auto addMarkers = [&](const SharedGeometry& geometry) {
-    item.geometry = geometry;
-    item.style = MarkerStyle{MarkerShape::kDisc, colour, kNoColour, 1.3f * scale};
-    list.items.push_back(item);
+  const auto addChunks = [&](const std::vector<Chunk>& chunks) {
+    for (const Chunk& chunk : chunks) {
+      if (!mayBeSeen(list.view, chunk.low, chunk.high, 4.0 * contentScale)) continue;
+      item.geometry = chunk.geometry;
+      list.items.push_back(item);
+    }
   };
-  if (asPoints) {
-    if (!positions_) {
-      auto made = std::make_shared<Geometry>(Geometry{Primitive::kMarkers, {}});
-      for (std::uint32_t i = 0; i < scene->positions.size(); ++i) made->points.push_back(place(i));
-      positions_ = std::move(made);
-    }
-    return addMarkers(positions_);
-  }
-  if (!edges_) {
-    auto made = std::make_shared<Geometry>(Geometry{Primitive::kSegments, {}});
-    made->points.reserve(2 * scene->edges.size());
-    for (const auto& edge : scene->edges) {
-      made->points.push_back(place(edge[0]));
-      made->points.push_back(place(edge[1]));
-    }
-    edges_ = std::move(made);
-    made = std::make_shared<Geometry>(Geometry{Primitive::kMarkers, {}});
-    for (const std::uint32_t point : scene->points) made->points.push_back(place(point));
-    points_ = std::move(made);
-  }
-  if (!points_->points.empty()) addMarkers(points_);
-  item.geometry = edges_;
+  item.style = MarkerStyle{MarkerShape::kDisc, colour, kNoColour, 1.3f * scale};
+  addChunks(points_);
   item.style = LineStyle{colour, 1.2f * scale};
-  list.items.push_back(item);
+  addChunks(edges_);
 }
 
 }  // namespace vides

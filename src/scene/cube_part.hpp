@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "flight/flight.hpp"
 #include "math/view_projection.hpp"
@@ -41,16 +42,25 @@ class CubePart {
   GeometrySlot front_, back_;
 };
 
-// The scene in cube coordinates: made anew where the scene or the space is another.
+// The scene in cube coordinates: made anew where the scene or the space is another. In chunks that
+// every OpenGL 3.3 can hold in one buffer texture; those that cannot be seen are left out.
 class ScenePart {
  public:
   void add(DrawList& list, const SharedScene& scene, const Space& space, bool asPoints,
            const Theme& theme, double contentScale);
 
  private:
+  struct Chunk {
+    SharedGeometry geometry;
+    Vec3 low{0.0}, high{0.0};
+  };
+  template <class Elements, class Place>
+  static std::vector<Chunk> divide(Primitive primitive, const Elements& elements, Place place);
+
   SharedScene scene_;
   Space space_;
-  SharedGeometry edges_, points_, positions_;
+  std::vector<Chunk> edges_, points_;
+  bool asPoints_ = false;
 };
 
 }  // namespace vides

@@ -62,6 +62,7 @@ TEST(CameraScene, AnyCameraByTheLensFormula) {
 TEST(CameraScene, ShowsSceneCubeAndGuides) {
   CameraInput input;
   input.rectangle = {0, 0, 800, 600};
+  input.camera.viewReferencePoint = {0, 0, -2};
   CameraScene scene;
   const auto elements = [&] {
     std::size_t sum = 0;
@@ -87,6 +88,33 @@ TEST(CameraScene, ShowsSceneCubeAndGuides) {
   input.sceneAsPoints = true;
   EXPECT_EQ(elements(), 14u);
   EXPECT_EQ(list.outer, input.rectangle);
+}
+
+TEST(CameraScene, LargeScenesAreDividedAndLeftOutWhereUnseen) {
+  auto geometry = std::make_shared<SceneGeometry>();
+  for (std::uint32_t i = 0; i < 100000; ++i) {
+    geometry->positions.emplace_back(i % 1000 * 1e-3, i / 1000 * 1e-2, 1.0);
+    if (i > 0) geometry->edges.push_back({i - 1, i});
+  }
+  CameraInput input;
+  input.rectangle = {0, 0, 800, 600};
+  input.scene = geometry;  // before the camera, which looks along +z
+  input.camera.viewReferencePoint = {0, 0, -9};
+  CameraScene scene;
+  const auto count = [&] {
+    std::size_t elements = 0;
+    for (const DrawItem& item : scene.build(input).items) {
+      EXPECT_LE(item.geometry->points.size(), 65536u);
+      elements += item.geometry->elements();
+    }
+    return elements;
+  };
+  EXPECT_EQ(count(), 99999u);
+  input.camera.viewPlaneNormal = {0, 0, -1};
+  EXPECT_EQ(count(), 0u);
+  input.camera.viewPlaneNormal = {0, 0, 1};
+  input.sceneAsPoints = true;
+  EXPECT_EQ(count(), 100000u);
 }
 
 }  // namespace
