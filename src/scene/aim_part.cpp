@@ -164,7 +164,10 @@ void AimPart::addCircle(const ViewportContext& context, const Camera& camera, co
     const double angle = 2.0 * std::numbers::pi * i / kCirclePoints;
     const Vec3 p = camera.viewReferencePoint + std::cos(angle) * up + std::sin(angle) * right;
     const auto pixel = context.view().project(p);
-    if (i > 0 && before && pixel) along += glm::distance(*before, *pixel);
+    if (i > 0 && before && pixel) {
+      along += glm::distance(*before, *pixel);
+      context.labels.blockLine(*before, *pixel, kBlockedByLine);
+    }
     before = pixel;
     points.push_back(geometryPoint(p, static_cast<float>(along)));
   }

@@ -131,7 +131,9 @@ void KeysPart::addNumber(const ViewportContext& context, const Place& place, boo
                   context.input.text.lineHeight};
   const bool marked = showsSelection(context) &&
                       std::ranges::binary_search(context.input.state.selected, place.key);
-  const double gap = (marked ? 15.0 : 9.0) * context.scale();
+  // The current key's plane squares need room.
+  const double free = current && context.input.shown.planeSquares ? 20.0 : marked ? 15.0 : 9.0;
+  const double gap = free * context.scale();
   const auto pixel = context.labels.place(place.pixel, gap, size, current);
   if (!pixel) return;
   const ColourRole role = current ? ColourRole::kAccent : ColourRole::kKey;

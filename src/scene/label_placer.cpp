@@ -87,14 +87,14 @@ std::optional<Vec2> LabelPlacer::place(const Vec2& anchor, double gap, const Vec
       {{1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1, 0}, {0, -1}, {0, 1}, {-1, 0}}};
   int least = std::numeric_limits<int>::max();
   Vec2 best{0.0};
-  for (int ring = 0; ring < 2 && least > 0; ++ring) {
+  for (int ring = 0; ring < (needed ? 4 : 2) && least > 4; ++ring) {
     for (std::size_t i = 0; i < kWays.size(); ++i) {
       const Vec2 way{kWays[i][0], kWays[i][1]};
       const bool diagonal = way.x != 0.0 && way.y != 0.0;
-      const double away = (diagonal ? 0.68 : 1.0) * gap * (1.0 + ring);
+      const double away = (diagonal ? 0.68 : 1.0) * gap * (1.0 + 0.75 * ring);
       const Vec2 middle = anchor + way * away + way * 0.5 * size;
       const Vec2 low = middle - 0.5 * size;
-      const int here = cost(low, low + size) + static_cast<int>(i) / 2 + 6 * ring;
+      const int here = cost(low, low + size) + static_cast<int>(i) / 2 + 4 * ring;
       if (here < least) least = here, best = low;
       if (least <= static_cast<int>(i) / 2) break;
     }
