@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/editor_parts.hpp"
+#include "scene/obj_reader.hpp"
 
 namespace vides {
 namespace {
@@ -50,13 +51,28 @@ void shareClipboard(ImGuiIO& io, Editor::Parts& parts) {
   };
 }
 
+SessionSeams seamsOf(const EditorOptions& options) {
+  SessionSeams seams;
+  seams.clipboard = options.clipboard;
+  seams.setClipboard = options.setClipboard;
+  // The size of a scene, so that the first one imported fits the cube.
+  seams.sceneBounds = [](const std::string& path) -> tl::expected<SceneBounds, Text> {
+    const ReadScene read = readSceneFile(path);
+    if (!read) {
+      return tl::unexpected(Text("error.scene", {problemLine(path, read.error())}));
+    }
+    return read->box ? SceneBounds{read->box->low, read->box->high} : SceneBounds{};
+  };
+  return seams;
+}
+
 }  // namespace
 
 Editor::Parts::Parts(const Gl& table, EditorOptions given)
     : gl(table),
       options(std::move(given)),
       context(ImGui::CreateContext()),
-      session(SessionSeams{options.clipboard, options.setClipboard, {}, {}}) {
+      session(seamsOf(options)) {
   words = [this](std::string_view key) { return std::string(texts.words(key)); };
   tell = [this](const Text& text) { return texts.tell(text); };
   parse = [](std::string_view text) { return parseNumber(text); };

@@ -15,7 +15,7 @@ namespace vides {
 
 // Where the columns end, in pixels at content scale 1; kept in the setup.
 struct Layout {
-  float left = 284.0f;
+  float left = 292.0f;
   float right = 264.0f;
   float timeline = 150.0f;
   bool leftShown = true;

@@ -173,6 +173,10 @@ void menuBar(Ui& ui, const Session& session, const Layout& layout, const Shortcu
              Actions& actions) {
   if (!ImGui::BeginMenuBar()) return;
   const ImVec2 corner = ImGui::GetWindowPos();
+  const float height = ImGui::GetFrameHeight();
+  // The bar has the window's padding, its menus have their own.
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(8)));
   float end = corner.x;
   for (const Menu& menu : menus()) {
     const std::string label = ui.words(menu.id);
@@ -191,7 +195,7 @@ void menuBar(Ui& ui, const Session& session, const Layout& layout, const Shortcu
     }
     ImGui::EndMenu();
   }
-  const float height = ImGui::GetFrameHeight();
+  ImGui::PopStyleVar(2);
   outputLine(ui, {end, corner.y, corner.x + ImGui::GetWindowWidth() - end, height}, session);
   ImGui::EndMenuBar();
 }

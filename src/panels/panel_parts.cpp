@@ -18,7 +18,7 @@ void commandButton(Ui& ui, std::string_view id, const Rect& rect, std::string_vi
 ThreeColumns threeColumns(const Ui& ui, const Rect& row) {
   ThreeColumns result;
   const float gap = ui.px(4);
-  const float label = std::round(row.width * 0.285f);
+  const float label = std::round(row.width * 0.262f);
   result.label = {row.x, row.y, label, row.height};
   const Rect rest{row.x + label + gap, row.y, row.width - label - gap, row.height};
   const std::vector<Rect> parts = split(ui, rest, 3);
@@ -28,7 +28,7 @@ ThreeColumns threeColumns(const Ui& ui, const Rect& row) {
 
 int fittingDecimals(const Ui& ui, const Rect& box, double value, int most) {
   for (int decimals = most; decimals > 0; --decimals) {
-    if (ui.textWidth(ui.number(value, decimals)) <= box.width - ui.px(8)) return decimals;
+    if (ui.textWidth(ui.number(value, decimals), Weight::kSemibold) <= box.width - ui.px(8)) return decimals;
   }
   return 0;
 }

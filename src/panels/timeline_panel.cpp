@@ -41,6 +41,9 @@ void transport(Ui& ui, const Rect& row, const Session& session, TimelineView& vi
     x += ui.px(width + 4);
     return result;
   };
+  const auto buttonWidth = [&](const char* id) {
+    return std::ceil(ui.textWidth(ui.words(id), Weight::kSemibold) / ui.scale()) + 18.0f;
+  };
   const auto run = [&](const char* command) { actions.run(Command(command)); };
   if (ui.iconButton("timeline/first", place(32), Icon::kFirst)) run("first-frame");
   const bool playing = session.playback().playing();
@@ -49,10 +52,10 @@ void transport(Ui& ui, const Rect& row, const Session& session, TimelineView& vi
     run("play");
   }
   if (ui.iconButton("timeline/last", place(32), Icon::kLast)) run("last-frame");
-  if (ui.button("timeline/loop", place(52), {.on = session.playback().loop(), .toggle = true})) {
+  if (ui.button("timeline/loop", place(buttonWidth("timeline/loop")), {.on = session.playback().loop(), .toggle = true})) {
     run("loop");
   }
-  if (ui.button("timeline/fit", place(72), {.enabled = !view.fit})) view.fit = true;
+  if (ui.button("timeline/fit", place(buttonWidth("timeline/fit")), {.enabled = !view.fit})) view.fit = true;
   x += ui.px(6);
 
   // Frame and time, every number in a place of its own width so that nothing moves.

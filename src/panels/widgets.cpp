@@ -180,7 +180,7 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
     outline(rect, ColourRole::kControlHovered, 3.0f);
     ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   }
-  const float inset = px(6);
+  const float inset = px(4);
   const Rect inside{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
   const std::string tail = shownValue + style.suffix;
   const float room = textWidth(tail, style.weight);

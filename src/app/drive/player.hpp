@@ -23,6 +23,8 @@ class Player {
   const std::string& title() const { return outcome_.title; }
   // Whether it wants another display frame at once, without an event.
   bool unfinished() const { return outcome_.nextFrameIn && *outcome_.nextFrameIn <= 1.0 / 60.0; }
+  // Whether it wants another display frame at all before something happens.
+  bool wantsFrame() const { return outcome_.nextFrameIn.has_value(); }
   bool quit() const { return outcome_.quit; }
   const Modifiers& modifiers() const { return modifiers_; }
 

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The whole editor without a screen: sizes and scales, texts in their boxes, what it looks like.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/drive/player.hpp"
+#include "host/osmesa_host.hpp"
+#include "support/picture_check.hpp"
+
+namespace vides {
+namespace {
+
+struct Stage {
+  std::unique_ptr<OffscreenHost> host;
+  std::unique_ptr<Player> player;
+};
+
+Stage stage(PixelSize size, double scale) {
+  OsmesaOptions options;
+  options.size = size;
+  options.contentScale = scale;
+  Stage result;
+  auto host = openOsmesaHost(options);
+  EXPECT_TRUE(host) << host.error();
+  result.host = std::move(*host);
+  auto player = Player::create(*result.host);
+  EXPECT_TRUE(player) << player.error();
+  result.player = std::move(*player);
+  return result;
+}
+
+void openPyramid(Player& player) {
+  const std::string file = std::string(VIDES_SOURCE_DIR) + "/assets/flights/pyramid.vid";
+  ASSERT_TRUE(player.perform(Command("open", file)));
+  ASSERT_TRUE(player.perform(Command("make-current", 2, 0)));
+  for (int i = 0; i < 5; ++i) player.frame();
+}
+
+TEST(Editor, LooksAsItDid) {
+  Stage one = stage({1280, 800}, 1.0);
+  openPyramid(*one.player);
+  EXPECT_TRUE(test::equalsBaseline(one.player->picture().value(), "window_1280x800"));
+  Stage two = stage({1920, 1200}, 2.0);
+  openPyramid(*two.player);
+  EXPECT_TRUE(test::equalsBaseline(two.player->picture().value(), "window_1920x1200_scale_2"));
+}
+
+TEST(Editor, TheBaselineSeesAShiftOfTheView) {
+  Stage one = stage({1280, 800}, 1.0);
+  openPyramid(*one.player);
+  ViewState view = one.player->editor().session().view();
+  view.view.turn += 1.0;
+  one.player->editor().session().setView(view);
+  one.player->frame();
+  EXPECT_FALSE(
+      comparePictures(
+          one.player->picture().value(),
+          readPng(std::string(VIDES_SOURCE_DIR) + "/tests/baselines/window_1280x800.png").value())
+          .equal);
+}
+
+TEST(Editor, SamePixelsTwice) {
+  Stage a = stage({960, 600}, 1.0);
+  Stage b = stage({960, 600}, 1.0);
+  openPyramid(*a.player);
+  openPyramid(*b.player);
+  EXPECT_EQ(a.player->picture().value(), b.player->picture().value());
+}
+
+TEST(Editor, BearsEverySizeAndScale) {
+  Stage one = stage({1280, 800}, 1.0);
+  openPyramid(*one.player);
+  for (const PixelSize size : {PixelSize{1, 1}, PixelSize{0, 0}, PixelSize{16000, 100},
+                               PixelSize{100, 2000}, PixelSize{960, 600}}) {
+    for (const double scale : {0.75, 1.0, 1.5, 3.0}) {
+      ASSERT_TRUE(one.host->resize(size, scale)) << size.width << " x " << size.height;
+      one.player->move(size.width / 2.0, size.height / 2.0);
+      one.player->frame();
+      const auto picture = one.player->picture();
+      ASSERT_TRUE(picture) << picture.error();
+      EXPECT_EQ(picture->width, size.width);
+    }
+  }
+}
+
+TEST(Editor, TextsFitTheirBoxes) {
+  for (const char* language : {"en", "de"}) {
+    for (const PixelSize size : {PixelSize{960, 600}, PixelSize{1280, 800}}) {
+      for (const int scale : {1, 2}) {
+        Stage one = stage({size.width * scale, size.height * scale}, scale);
+        one.player->perform(Command("language", language));
+        openPyramid(*one.player);
+        ASSERT_GT(one.player->editor().widgets().texts().size(), 50u);
+        for (const DrawnText& text : one.player->editor().widgets().texts()) {
+          EXPECT_LE(text.width, text.box + 0.5f)
+              << '"' << text.text << "\" in " << language << " at " << size.width << " x "
+              << size.height << ", scale " << scale;
+        }
+      }
+    }
+  }
+}
+
+TEST(Editor, WantsNoFrameWhenNothingHappens) {
+  Stage one = stage({1280, 800}, 1.0);
+  openPyramid(*one.player);
+  one.player->move(5, 700);
+  for (int i = 0; i < 60; ++i) one.player->frame();
+  EXPECT_FALSE(one.player->wantsFrame());
+  one.player->perform(Command("play"));
+  EXPECT_TRUE(one.player->wantsFrame());
+}
+
+}  // namespace
+}  // namespace vides
