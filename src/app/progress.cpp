@@ -57,7 +57,7 @@ void Progress::draw(std::int64_t done, std::int64_t all) {
   const std::size_t around = label_.size() + 10;  // blanks, brackets, per cent
   const std::size_t bar = width > around ? std::min(kMostBar, width - around) : 0;
   const auto full = static_cast<std::size_t>(share * static_cast<double>(bar));
-  std::string line = "\r" + label_.substr(0, width);
+  std::string line = fmt::format("\r{:.{}}", label_, width);
   if (bar > 0) {
     line += fmt::format(" [{}{:#>{}}{}{:>{}}] {:3.0f} %", coloured_ ? "\033[36m" : "", "", full,
                         coloured_ ? "\033[0m" : "", "", bar - full, 100.0 * share);
