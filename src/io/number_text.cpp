@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -35,7 +36,9 @@ constexpr std::array<std::uint64_t, 20> kPowersOfTen = [] {
   return powers;
 }();
 
-void putPair(char* out, std::uint32_t value) { std::memcpy(out, &kPairs[2 * value], 2); }
+void putPair(char* out, std::uint32_t value) {
+  std::memcpy(out, &kPairs[std::size_t{2} * value], 2);
+}
 
 // The digits of value < 10^8; its two halves don't wait for each other.
 void putEight(char* out, std::uint32_t value) {
@@ -155,7 +158,7 @@ char* putPlain(char* out, std::uint64_t digits, std::size_t count, int exponent,
   }
   if (leading < 0) {
     const auto zeros = static_cast<std::size_t>(-leading - 1);
-    std::memcpy(out, "0.000", 5);  // zeros is at most 3
+    std::copy_n("0.000", 5, out);  // zeros is at most 3
     putShortestDigits(out + 2 + zeros, digits, count);
     return out + 2 + zeros + count;
   }
