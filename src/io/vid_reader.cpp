@@ -158,7 +158,8 @@ void checkAims(VidValues& v, const KeyReading& key) {
 void readKeys(VidValues& v, FlightReading& f) {
   KeyReading reading;
   v.array(expectKeys, limits::kKeys, [&](std::size_t) {
-    reading.key = Key{};
+    reading.key.shape = KeyShape{};
+    reading.key.extra = nullptr;
     reading.positionGood = false;
     reading.orientations.clear();
     v.object<KeyReading>(kKeyMembers, reading, reading.key.extra);

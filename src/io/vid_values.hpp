@@ -50,8 +50,8 @@ class VidValues {
   JsonReader& json() { return json_; }
   ProblemList& problems() { return problems_; }
 
-  // Each reads the value that comes next. Where it isn't as wanted, the problem is noted, `into`
-  // stays as it was, and false is returned.
+  // Each reads the value that comes next. Where it isn't as wanted, the problem is noted and false
+  // returned; `into` then keeps its value (of arrays: those elements that are wrong do).
   bool number(const Range& range, double& into);
   bool integer(const Range& range, int& into);
   bool numbers(const Range& range, std::span<double> into);

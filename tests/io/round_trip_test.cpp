@@ -13,6 +13,7 @@
 #include "support/german_locale.hpp"
 #include "support/property.hpp"
 #include "support/random_document.hpp"
+#include "support/random_flight.hpp"
 
 namespace vides {
 namespace {
@@ -40,6 +41,15 @@ TEST(RoundTrip, RandomFlights) {
   test::holdsFor(10'000, [] {
     Random random(*test::seeds());
     const Flight flight = test::randomDocument(random, *rc::gen::inRange(2, 7));
+    RC_ASSERT(validate(flight).empty());
+    RC_ASSERT(roundTrip(flight) == "");
+  });
+}
+
+TEST(RoundTrip, FlightsThatAreHardToEvaluate) {
+  test::holdsFor(2000, [] {
+    Random random(*test::seeds());
+    const Flight flight = test::randomFlight(random, {.nasty = random.coin()});
     RC_ASSERT(validate(flight).empty());
     RC_ASSERT(roundTrip(flight) == "");
   });
