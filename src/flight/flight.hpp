@@ -93,7 +93,7 @@ class KeyList {
 
   KeyList() = default;
   KeyList(std::initializer_list<Key> keys);
-  explicit KeyList(std::vector<KeyPointer> keys) : sequence_(std::move(keys)) {}
+  explicit KeyList(const std::vector<KeyPointer>& keys) : sequence_(keys) {}
 
   std::size_t size() const { return sequence_.size(); }
   bool empty() const { return sequence_.empty(); }

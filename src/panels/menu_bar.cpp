@@ -89,8 +89,8 @@ void outputLine(Ui& ui, const Rect& bar, const Session& session) {
   // The file's name and whether it is saved; the window's title says so in words of its own.
   const std::string& path = session.path();
   const std::string file = path.substr(path.rfind('/') + 1);
-  const std::string title = (file.empty() ? ui.words("title.untitled") : file) +
-                            (session.modified() ? " \u2022" : "");
+  const std::string title =
+      (file.empty() ? ui.words("title.untitled") : file) + (session.modified() ? " \u2022" : "");
   const float titleWidth = std::min(ui.textWidth(title, Weight::kSemibold), bar.width * 0.4f);
   const Rect titleBox{bar.right() - pad - titleWidth, bar.y, titleWidth, bar.height};
   ui.text(titleBox, title,

@@ -28,7 +28,8 @@ ThreeColumns threeColumns(const Ui& ui, const Rect& row) {
 
 int fittingDecimals(const Ui& ui, const Rect& box, double value, int most) {
   for (int decimals = most; decimals > 0; --decimals) {
-    if (ui.textWidth(ui.number(value, decimals), Weight::kSemibold) <= box.width - ui.px(8)) return decimals;
+    if (ui.textWidth(ui.number(value, decimals), Weight::kSemibold) <= box.width - ui.px(8))
+      return decimals;
   }
   return 0;
 }

@@ -52,10 +52,12 @@ void transport(Ui& ui, const Rect& row, const Session& session, TimelineView& vi
     run("play");
   }
   if (ui.iconButton("timeline/last", place(32), Icon::kLast)) run("last-frame");
-  if (ui.button("timeline/loop", place(buttonWidth("timeline/loop")), {.on = session.playback().loop(), .toggle = true})) {
+  if (ui.button("timeline/loop", place(buttonWidth("timeline/loop")),
+                {.on = session.playback().loop(), .toggle = true})) {
     run("loop");
   }
-  if (ui.button("timeline/fit", place(buttonWidth("timeline/fit")), {.enabled = !view.fit})) view.fit = true;
+  if (ui.button("timeline/fit", place(buttonWidth("timeline/fit")), {.enabled = !view.fit}))
+    view.fit = true;
   x += ui.px(6);
 
   // Frame and time, every number in a place of its own width so that nothing moves.
