@@ -25,6 +25,7 @@ done
 ((EUID == 0)) || { echo "needs root" >&2; exit 1; }
 
 tree=$(mktemp -d /var/tmp/newcomer.XXXXXX)
+chmod 755 "$tree"  # it becomes the root of another user, too
 finish() {
   if [[ $keep == yes ]]; then
     echo "the tree is left in $tree"
