@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/drive/player.hpp"
-#include "host/osmesa_host.hpp"
+#include "host/open_host.hpp"
 #include "support/picture_check.hpp"
 
 namespace vides {
@@ -15,12 +15,12 @@ struct Stage {
   std::unique_ptr<Player> player;
 };
 
-Stage stage(PixelSize size, double scale) {
-  OsmesaOptions options;
+Stage stage(PixelSize size, double scale, OffscreenKind kind = OffscreenKind::kOsmesa) {
+  OffscreenOptions options;
   options.size = size;
   options.contentScale = scale;
   Stage result;
-  auto host = openOsmesaHost(options);
+  auto host = openOffscreen(kind, options);
   EXPECT_TRUE(host) << host.error();
   result.host = std::move(*host);
   auto player = Player::create(*result.host);
@@ -45,18 +45,36 @@ TEST(Editor, LooksAsItDid) {
   EXPECT_TRUE(test::equalsBaseline(two.player->picture().value(), "window_1920x1200_scale_2"));
 }
 
-TEST(Editor, TheBaselineSeesAShiftOfTheView) {
-  Stage one = stage({1280, 800}, 1.0);
+TEST(Editor, LooksTheSameThroughEgl) {
+  Stage one = stage({1280, 800}, 1.0, OffscreenKind::kEgl);
   openPyramid(*one.player);
-  ViewState view = one.player->editor().session().view();
-  view.view.turn += 1.0;
-  one.player->editor().session().setView(view);
+  PictureTolerance tolerance;
+  tolerance.share = kEglShare;
+  EXPECT_TRUE(test::equalsBaseline(one.player->picture().value(), "window_1280x800", tolerance));
+}
+
+// The picture with the view's camera moved by one pixel differs from the baseline.
+void expectSeesOnePixel(PixelSize size, double scale, const std::string& baseline) {
+  Stage one = stage(size, scale);
+  openPyramid(*one.player);
+  Editor& editor = one.player->editor();
+  const Rect seen = editor.viewport();
+  const PixelRectangle pixels{static_cast<double>(seen.x), static_cast<double>(seen.y),
+                              static_cast<double>(seen.width), static_cast<double>(seen.height)};
+  ViewState view = editor.session().view();
+  view.view = panned(view.view, pixels, {1.0, 0.0});
+  editor.session().setView(view);
   one.player->frame();
-  EXPECT_FALSE(
-      comparePictures(
-          one.player->picture().value(),
-          readPng(std::string(VIDES_SOURCE_DIR) + "/tests/baselines/window_1280x800.png").value())
-          .equal);
+  const std::string file = std::string(VIDES_SOURCE_DIR) + "/tests/baselines/" + baseline + ".png";
+  const PictureDifference moved =
+      comparePictures(one.player->picture().value(), readPng(file).value());
+  EXPECT_FALSE(moved.equal) << moved.sentence;
+  EXPECT_TRUE(moved.sameSize);
+}
+
+TEST(Editor, TheBaselinesSeeTheCameraMovedByOnePixel) {
+  expectSeesOnePixel({1280, 800}, 1.0, "window_1280x800");
+  expectSeesOnePixel({1920, 1200}, 2.0, "window_1920x1200_scale_2");
 }
 
 TEST(Editor, SamePixelsTwice) {

@@ -2,6 +2,8 @@
 // Runs another program from a test.
 #include "support/process.hpp"
 
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,6 +43,10 @@ std::string readAll(int descriptor) {
   _exit(127);
 }
 
+int statusOf(int status) {
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 }  // namespace
 
 ProcessResult runProcess(const std::vector<std::string>& command,
@@ -63,13 +69,35 @@ ProcessResult runProcess(const std::vector<std::string>& command,
   close(ends[0]);
   int status = 0;
   if (child > 0 && waitpid(child, &status, 0) == child) {
-    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    result.status = statusOf(status);
   }
   std::rewind(errors);
   lseek(fileno(errors), 0, SEEK_SET);
   result.errors = readAll(fileno(errors));
   std::fclose(errors);
   return result;
+}
+
+RunningProcess::RunningProcess(const std::vector<std::string>& command,
+                               const std::vector<std::string>& environment)
+    : id_(fork()) {
+  if (id_ < 0) std::abort();
+  if (id_ == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // also when the test crashes
+    become(command, environment);
+  }
+}
+
+RunningProcess::~RunningProcess() {
+  if (ended()) return;
+  kill(id_, SIGKILL);
+  waitpid(id_, nullptr, 0);
+}
+
+std::optional<int> RunningProcess::ended() {
+  int status = 0;
+  if (!status_ && waitpid(id_, &status, WNOHANG) == id_) status_ = statusOf(status);
+  return status_;
 }
 
 }  // namespace vides::test

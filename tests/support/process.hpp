@@ -2,6 +2,9 @@
 // Runs another program from a test: OpenGL drivers read their environment once a process.
 #pragma once
 
+#include <sys/types.h>
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,5 +19,23 @@ struct ProcessResult {
 // `environment` ("NAME=VALUE", or "NAME" to unset) is applied on top of the test's own.
 ProcessResult runProcess(const std::vector<std::string>& command,
                          const std::vector<std::string>& environment = {});
+
+// A program that runs beside the test, with the test's own outputs; ended with it.
+class RunningProcess {
+ public:
+  explicit RunningProcess(const std::vector<std::string>& command,
+                          const std::vector<std::string>& environment = {});
+  RunningProcess(const RunningProcess&) = delete;
+  RunningProcess& operator=(const RunningProcess&) = delete;
+  ~RunningProcess();
+
+  pid_t id() const { return id_; }
+  // Its status as in ProcessResult, once it has ended. Does not wait.
+  std::optional<int> ended();
+
+ private:
+  pid_t id_;
+  std::optional<int> status_;
+};
 
 }  // namespace vides::test
