@@ -11,6 +11,7 @@
 #include "app/imgui_input.hpp"
 #include "edit/texts.hpp"
 #include "edit/viewport_tools.hpp"
+#include "panels/chooser.hpp"
 #include "panels/flight_graphs.hpp"
 #include "panels/timeline_panel.hpp"
 #include "panels/ui.hpp"
@@ -59,6 +60,7 @@ struct Editor::Parts {
   WidgetRegistry registry;
   Layout layout;
   TimelineView timeline;
+  ChooserMemory chooser;
   ViewportTools tools{session};
   Vec2 pointerAt{-1.0};
   Modifiers modifiers;

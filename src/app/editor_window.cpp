@@ -193,7 +193,7 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
     arrange(ui, below({0.0f, 0.0f, size.x, size.y}, menu), actions);
   }
   ImGui::End();
-  if (!layout.bare) windows(ui, session, texts, actions);
+  if (!layout.bare) windows(ui, session, texts, chooser, actions);
 }
 
 void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {

@@ -175,6 +175,11 @@ void Ui::registerWidget(std::string_view id, std::string_view label, WidgetKind 
                          std::string(value), enabled});
 }
 
+void Ui::entry(std::string_view id, const Rect& rect, std::string_view label,
+               std::string_view value) {
+  registerWidget(id, label, WidgetKind::kEntry, rect, true, value);
+}
+
 void Ui::note(std::string_view id, std::string_view label, WidgetKind kind, bool enabled,
               std::string_view value) {
   const ImVec2 low = ImGui::GetItemRectMin();

@@ -155,6 +155,9 @@ class Ui {
   };
   AreaState area(std::string_view id, const Rect& rect, std::string_view value = {});
 
+  // Tells the registry of a text that takes effect while it is typed.
+  void entry(std::string_view id, const Rect& rect, std::string_view label, std::string_view value);
+
   // Widgets that Dear ImGui draws (menus): told to the registry after the fact.
   void note(std::string_view id, std::string_view label, WidgetKind kind, bool enabled,
             std::string_view value = {});

@@ -24,6 +24,8 @@ std::string_view name(WidgetKind kind) {
       return "slider";
     case WidgetKind::kField:
       return "field";
+    case WidgetKind::kEntry:
+      return "entry";
     case WidgetKind::kText:
       return "text";
     case WidgetKind::kChoice:

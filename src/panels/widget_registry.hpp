@@ -36,6 +36,7 @@ enum class WidgetKind {
   kToggle,
   kSlider,
   kField,
+  kEntry,  // text that takes effect while it is typed
   kText,
   kChoice,
   kMenu,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Windows over the editor: the question that must be answered, the list of shortcuts.
+// Windows over the editor: the question that must be answered, how many keys, the shortcuts.
 #pragma once
 
 #include <string_view>
@@ -7,6 +7,7 @@
 #include "edit/session.hpp"
 #include "edit/texts.hpp"
 #include "panels/actions.hpp"
+#include "panels/chooser.hpp"
 #include "panels/ui.hpp"
 
 namespace vides {
@@ -17,6 +18,7 @@ bool hasWindow(std::string_view name);
 bool canRun(const Session& session, std::string_view commandLine);
 
 // All that are open.
-void windows(Ui& ui, const Session& session, const Texts& texts, Actions& actions);
+void windows(Ui& ui, const Session& session, const Texts& texts, ChooserMemory& memory,
+             Actions& actions);
 
 }  // namespace vides

@@ -150,6 +150,7 @@ tl::expected<void, std::string> Player::setWidget(const std::string& id, const s
   const double y = static_cast<double>(widget->rect.centreY());
   switch (widget->kind) {
     case WidgetKind::kField:
+    case WidgetKind::kEntry:
       click(x, y);
       break;
     case WidgetKind::kSlider: {
@@ -179,7 +180,11 @@ tl::expected<void, std::string> Player::setWidget(const std::string& id, const s
   frame();
   tap(KeyboardKey::kA, {.control = true});
   type(value);
-  tap(KeyboardKey::kEnter, {});
+  if (widget->kind == WidgetKind::kEntry) {
+    frame();
+  } else {
+    tap(KeyboardKey::kEnter, {});
+  }
   return {};
 }
 

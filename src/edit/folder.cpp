@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Reading folders for the file chooser.
+#include "edit/folder.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+#include <tuple>
+
+namespace vides {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Letters of ASCII only: names are bytes to us.
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
+}
+
+}  // namespace
+
+tl::expected<std::vector<FolderEntry>, std::string> readFolder(
+    const fs::path& folder, std::span<const std::string_view> endings) {
+  std::error_code error;
+  std::vector<FolderEntry> entries;
+  fs::directory_iterator each(folder, error);
+  // The next entry can fail as well, on a disk that goes away.
+  for (; !error && each != fs::directory_iterator(); each.increment(error)) {
+    std::error_code unknown;
+    const std::string name = each->path().filename().string();
+    if (name.starts_with('.')) continue;
+    if (each->is_directory(unknown)) {
+      entries.push_back({name, true});
+      continue;
+    }
+    const std::string low = lowered(name);
+    const bool wanted = std::any_of(endings.begin(), endings.end(),
+                                    [&](std::string_view ending) { return low.ends_with(ending); });
+    if (wanted) entries.push_back({name, false});
+  }
+  if (error) return tl::unexpected(error.message());
+  std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
+    return std::make_tuple(!a.folder, lowered(a.name), a.name) <
+           std::make_tuple(!b.folder, lowered(b.name), b.name);
+  });
+  return entries;
+}
+
+fs::path typedPath(const fs::path& folder, std::string_view typed) {
+  if (typed == "~") return homeFolder();
+  if (typed.starts_with("~/")) return (homeFolder() / typed.substr(2)).lexically_normal();
+  return (folder / typed).lexically_normal();
+}
+
+fs::path homeFolder() {
+  const char* const home = std::getenv("HOME");
+  return home != nullptr ? fs::path(home) : fs::path();
+}
+
+}  // namespace vides

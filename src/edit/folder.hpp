@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What is in a folder, as the file chooser lists it.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace vides {
+
+struct FolderEntry {
+  std::string name;
+  bool folder = false;
+  bool operator==(const FolderEntry&) const = default;
+};
+
+// Folders first, then the files whose names end in one of the endings (in any case); both by name,
+// without regard to case. What begins with a dot is left out. Error: the system's words.
+tl::expected<std::vector<FolderEntry>, std::string> readFolder(
+    const std::filesystem::path& folder, std::span<const std::string_view> endings);
+
+// A typed name in a folder: absolute paths and "~/" stand for themselves; without "." and "..".
+std::filesystem::path typedPath(const std::filesystem::path& folder, std::string_view typed);
+
+// The user's own folder; empty where the system names none.
+std::filesystem::path homeFolder();
+
+}  // namespace vides

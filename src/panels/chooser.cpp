@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+// The file chooser.
+#include "panels/chooser.hpp"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <system_error>
+
+#include "panels/window_frame.hpp"
+
+namespace vides {
+namespace {
+
+namespace fs = std::filesystem;
+using Mode = ChooserMemory::Mode;
+
+constexpr float kRow = 24.0f;
+constexpr std::array<std::string_view, 1> kFlights = {".vid"};
+constexpr std::array<std::string_view, 1> kScenes = {".obj"};
+
+bool pressed(ImGuiKey key, bool repeats = false) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeats);
+}
+
+bool saves(const ChooserMemory& memory) { return memory.window == "chooser-save"; }
+bool imports(const ChooserMemory& memory) { return memory.window == "chooser-import"; }
+
+void rename(ChooserMemory& memory, std::string name) {
+  memory.name = std::move(name);
+  memory.rewritten = true;
+}
+
+void enter(ChooserMemory& memory, const fs::path& folder) {
+  const auto read =
+      readFolder(folder, imports(memory) ? std::span<const std::string_view>(kScenes) : kFlights);
+  if (!read) {
+    memory.trouble = folder.string() + ": " + read.error();
+    return;
+  }
+  memory.trouble.clear();
+  memory.entries = *read;
+  memory.selected = -1;
+  fs::path plain = folder.lexically_normal();
+  if (!plain.has_filename() && plain.has_relative_path()) plain = plain.parent_path();
+  memory.folder = plain;
+  if (!saves(memory)) rename(memory, "");
+}
+
+// The flight's folder, else the last one, else the one that the program was started in.
+void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::string& window) {
+  std::error_code error;
+  fs::path folder = memory.folder;
+  if (!session.path().empty()) folder = fs::absolute(session.path(), error).parent_path();
+  if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
+  memory = ChooserMemory();
+  memory.window = window;
+  memory.before = session.output();
+  if (saves(memory)) {
+    const std::string file = fs::path(session.path()).filename().string();
+    rename(memory, file.empty() ? ui.words("title.untitled") + ".vid" : file);
+  }
+  memory.folder = folder;
+  enter(memory, folder);
+}
+
+void choose(ChooserMemory& memory, const fs::path& file, Actions& actions) {
+  memory.mode = Mode::kChoose;
+  const char* const command = saves(memory) ? "save-as" : imports(memory) ? "import-scene" : "open";
+  actions.run(Command(command, file.string()));
+}
+
+void createFolder(ChooserMemory& memory) {
+  std::error_code error;
+  const fs::path folder = typedPath(memory.folder, memory.name);
+  fs::create_directory(folder, error);
+  if (error) {
+    memory.trouble = folder.string() + ": " + error.message();
+    return;
+  }
+  memory.mode = Mode::kChoose;
+  rename(memory, memory.nameBefore);
+  enter(memory, folder);
+}
+
+void accept(Ui& ui, ChooserMemory& memory, Actions& actions) {
+  memory.trouble.clear();
+  memory.before = {};
+  if (memory.mode == Mode::kOverwrite) return choose(memory, memory.overwrites, actions);
+  if (memory.mode == Mode::kNameFolder) return createFolder(memory);
+  if (memory.selected >= 0) {
+    const FolderEntry& entry = memory.entries[static_cast<std::size_t>(memory.selected)];
+    if (entry.folder) return enter(memory, memory.folder / entry.name);
+  }
+  if (memory.name.empty()) return;
+  std::error_code error;
+  fs::path file = typedPath(memory.folder, memory.name);
+  if (fs::is_directory(file, error)) return enter(memory, file);
+  if (saves(memory)) {
+    if (!file.string().ends_with(".vid")) file += ".vid";
+    if (!fs::exists(fs::symlink_status(file, error))) return choose(memory, file, actions);
+    memory.mode = Mode::kOverwrite;
+    memory.overwrites = file.string();
+    return;
+  }
+  if (!fs::exists(file, error) && !imports(memory)) {
+    const fs::path ended = file.string() + ".vid";
+    if (fs::exists(ended, error)) file = ended;
+  }
+  if (fs::exists(file, error)) return choose(memory, file, actions);
+  memory.trouble = ui.tell(Text("chooser.missing", {file.string()}));
+}
+
+void giveUp(ChooserMemory& memory, Actions& actions) {
+  if (memory.mode == Mode::kChoose) {
+    actions.run(Command("close-window", memory.window));
+    return;
+  }
+  if (memory.mode == Mode::kNameFolder) rename(memory, memory.nameBefore);
+  memory.mode = Mode::kChoose;
+  memory.trouble.clear();
+}
+
+void select(ChooserMemory& memory, int index) {
+  memory.selected = index;
+  memory.mode = Mode::kChoose;
+  const FolderEntry& entry = memory.entries[static_cast<std::size_t>(index)];
+  if (!entry.folder) rename(memory, entry.name);
+}
+
+void keys(Ui& ui, ChooserMemory& memory, Actions& actions) {
+  if (pressed(ImGuiKey_Escape)) return giveUp(memory, actions);
+  if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) return accept(ui, memory, actions);
+  const int last = static_cast<int>(memory.entries.size()) - 1;
+  if (memory.mode != Mode::kChoose || last < 0) return;
+  const int step =
+      (pressed(ImGuiKey_DownArrow, true) ? 1 : 0) - (pressed(ImGuiKey_UpArrow, true) ? 1 : 0);
+  if (step == 0) return;
+  select(memory, std::clamp(memory.selected + step, 0, last));
+  memory.reveal = true;
+}
+
+void places(Ui& ui, const Rect& row, const Session& session, ChooserMemory& memory) {
+  const std::vector<Rect> boxes = split(ui, row, 5);
+  std::error_code error;
+  const fs::path flight =
+      session.path().empty() ? fs::path() : fs::absolute(session.path(), error).parent_path();
+  const struct {
+    const char* id;
+    fs::path folder;
+  } all[] = {{"chooser/up", memory.folder.parent_path()},
+             {"chooser/home", homeFolder()},
+             {"chooser/current", fs::current_path(error)},
+             {"chooser/flight", flight}};
+  for (std::size_t i = 0; i < std::size(all); ++i) {
+    if (ui.button(all[i].id, boxes[i], {.enabled = !all[i].folder.empty()})) {
+      memory.mode = Mode::kChoose;
+      enter(memory, all[i].folder);
+    }
+  }
+  if (ui.button("chooser/new_folder", boxes[4], ButtonStyle{}) && memory.mode == Mode::kChoose) {
+    memory.mode = Mode::kNameFolder;
+    memory.nameBefore = memory.name;
+    rename(memory, "");
+  }
+}
+
+void list(Ui& ui, const Rect& box, ChooserMemory& memory, Actions& actions) {
+  ui.fill(box, ColourRole::kField, 3.0f);
+  ImGui::SetCursorScreenPos({box.x, box.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  // Another folder begins at its top.
+  const std::string id = "###chooser/list/" + memory.folder.string();
+  ImGui::BeginChild(id.c_str(), {box.width, box.height}, false, ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleVar();
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = ui.px(kRow);
+  std::optional<int> chosen;
+  for (int i = 0; i < static_cast<int>(memory.entries.size()); ++i) {
+    const FolderEntry& entry = memory.entries[static_cast<std::size_t>(i)];
+    const Rect row{from.x, from.y + static_cast<float>(i) * height, width, height};
+    const auto state = ui.area("chooser/file_" + std::to_string(i), row, entry.name);
+    const bool on = i == memory.selected;
+    if (on || state.hovered) {
+      ui.fill(row, on ? ColourRole::kControlActive : ColourRole::kControlHovered, 3.0f);
+    }
+    if (ImGui::IsRectVisible({row.x, row.y}, {row.right(), row.bottom()})) {
+      const Rect words{row.x + ui.px(8), row.y, row.width - ui.px(32), row.height};
+      ui.text(words, entry.name,
+              {.weight = on ? Weight::kSemibold : Weight::kRegular, .mayShorten = true});
+      if (entry.folder) {
+        ui.icon(Icon::kChevronRight, {row.right() - ui.px(20), row.y, ui.px(16), row.height},
+                ColourRole::kTextSecondary);
+      }
+    }
+    if (state.pressed) select(memory, i);
+    if (state.doubleClicked) chosen = i;
+  }
+  ImGui::SetCursorScreenPos(from);
+  ImGui::Dummy({1.0f, std::max(1.0f, height * static_cast<float>(memory.entries.size()))});
+  if (memory.reveal && memory.selected >= 0) {
+    const float top = static_cast<float>(memory.selected) * height;
+    if (top < ImGui::GetScrollY()) ImGui::SetScrollY(top);
+    if (top + height > ImGui::GetScrollY() + box.height)
+      ImGui::SetScrollY(top + height - box.height);
+  }
+  memory.reveal = false;
+  ImGui::EndChild();
+  // What it does may change the list.
+  if (chosen) {
+    select(memory, *chosen);
+    accept(ui, memory, actions);
+  }
+}
+
+void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
+  const bool folder = memory.mode == Mode::kNameFolder;
+  const std::string label = ui.words(folder ? "chooser/folder_name" : "chooser/name");
+  const float labelWidth = ui.textWidth(label) + ui.px(8);
+  ui.text({row.x, row.y, labelWidth, row.height}, label, {.colour = ColourRole::kTextSecondary});
+  const Rect box{row.x + labelWidth, row.y, row.width - labelWidth, row.height};
+  ui.fill(box, ColourRole::kField, 3.0f);
+  ui.entry("chooser/name", box, label, memory.name);
+  if (!takesText || memory.mode == Mode::kOverwrite) {
+    ui.text({box.x + ui.px(6), box.y, box.width - ui.px(12), box.height}, memory.name,
+            {.mayShorten = true});
+    return;
+  }
+  std::array<char, 4096> buffer{};
+  memory.name.copy(buffer.data(), buffer.size() - 1);
+  const float vertical = std::floor((box.height - ui.font(Weight::kRegular)->FontSize) / 2.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), vertical));
+  ImGui::SetCursorScreenPos({box.x, box.y});
+  ImGui::PushItemWidth(box.width);
+  // While it takes text it keeps its own copy: another name has to begin anew.
+  if (memory.rewritten) ImGui::ClearActiveID();
+  if (!memory.rewritten && !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+  memory.rewritten = false;
+  if (ImGui::InputText("###chooser/name/typing", buffer.data(), buffer.size(),
+                       ImGuiInputTextFlags_AutoSelectAll) &&
+      memory.name != buffer.data()) {
+    memory.name = buffer.data();
+    memory.selected = -1;
+  }
+  ImGui::PopItemWidth();
+  ImGui::PopStyleVar();
+}
+
+// What is wrong, the question whether to overwrite, or nothing; and the two buttons.
+void lastRow(Ui& ui, const Rect& row, const Session& session, ChooserMemory& memory,
+             Actions& actions) {
+  const float each = ui.px(110);
+  const Rect ok{row.right() - each, row.y, each, row.height};
+  const Rect cancel{ok.x - each - ui.px(8), row.y, each, row.height};
+  std::string words = memory.trouble;
+  const OutputLine output = session.output();
+  const bool wrong = output.kind == MessageKind::kError || output.kind == MessageKind::kRefusal;
+  if (words.empty() && wrong && !(output == memory.before)) words = ui.tell(output.text);
+  const bool asks = memory.mode == Mode::kOverwrite;
+  if (asks) {
+    words = ui.tell(Text("chooser.overwrite", {fs::path(memory.overwrites).filename().string()}));
+  }
+  ui.text({row.x, row.y, cancel.x - row.x - ui.px(8), row.height}, words,
+          {.colour = asks ? ColourRole::kText : ColourRole::kError,
+           .weight = asks ? Weight::kSemibold : Weight::kRegular,
+           .mayShorten = true});
+  const char* const verb = asks                               ? "answer.overwrite"
+                           : memory.mode == Mode::kNameFolder ? "chooser.create"
+                           : saves(memory)                    ? "answer.save"
+                           : imports(memory)                  ? "chooser.import"
+                                                              : "chooser.open";
+  const bool named = memory.selected >= 0 || !memory.name.empty();
+  if (ui.button("chooser/cancel", cancel, ButtonStyle{})) {
+    giveUp(memory, actions);
+  } else if (ui.button("chooser/ok", ok, ui.words(verb), {.enabled = named})) {
+    accept(ui, memory, actions);
+  }
+}
+
+}  // namespace
+
+bool isChooser(std::string_view window) {
+  return window == "chooser-open" || window == "chooser-save" || window == "chooser-import";
+}
+
+void chooser(Ui& ui, const Session& session, ChooserMemory& memory, Actions& actions) {
+  const auto& open = session.windows();
+  const auto top = std::find_if(open.rbegin(), open.rend(), isChooser);
+  if (top == open.rend()) {
+    memory.window.clear();
+    return;
+  }
+  if (memory.window != *top) begin(ui, session, memory, *top);
+  // Escape that closed a question, and Enter that opened the chooser, are done with.
+  const bool asked = session.question().has_value();
+  if (!asked && !memory.questionWas) keys(ui, memory, actions);
+  memory.questionWas = asked;
+  const char* const heading = saves(memory)     ? "chooser.heading.save"
+                              : imports(memory) ? "chooser.heading.import"
+                                                : "chooser.heading.open";
+  const WindowFrame frame{"###chooser", 680.0f, 520.0f, ui.words(heading), !asked, true};
+  windowFrame(ui, frame, [&](const Rect& room) {
+    Stack rows(ui, room.x, room.y, room.width);
+    places(ui, rows.row(kRow), session, memory);
+    rows.gap(4);
+    const Rect path = rows.row(kRow);
+    ui.text(path, memory.folder.string(),
+            {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+    rows.gap(4);
+    const float below = ui.px(2 * kRow + 16);
+    list(ui, {room.x, rows.y(), room.width, room.bottom() - below - rows.y()}, memory, actions);
+    nameField(ui, {room.x, room.bottom() - below + ui.px(8), room.width, ui.px(kRow)}, !asked,
+              memory);
+    lastRow(ui, {room.x, room.bottom() - ui.px(kRow), room.width, ui.px(kRow)}, session, memory,
+            actions);
+  });
+}
+
+}  // namespace vides
