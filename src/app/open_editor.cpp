@@ -110,7 +110,7 @@ int openEditor(const std::optional<std::string>& flight) {
   if (flight) {
     if (!openFlightArgument(**editor, *flight)) return kFailed;
   } else if (const auto sample = findAsset("flights/pyramid.vid")) {
-    (*editor)->run(Command("open", sample->string()));
+    (*editor)->session().beginWithSample(sample->string());
   }
   runWindow(window, **editor);
   window.makeCurrent();

@@ -7,6 +7,7 @@
 
 #include "edit/command_table.hpp"
 #include "flight/validation.hpp"
+#include "io/vid_reader.hpp"
 
 namespace vides {
 namespace {
@@ -49,6 +50,15 @@ void Session::reset(Flight flight) {
   freeCamera_.reset();
   view_.throughCamera = false;
   output_ = {};
+}
+
+bool Session::beginWithSample(const std::string& path) {
+  auto sample = readVidFile(path);
+  if (!sample) return false;
+  moveScenePaths(*sample, path, "");
+  file_ = DiskFile();
+  reset(std::move(*sample));
+  return true;
 }
 
 void Session::recover(Flight flight, std::string path) {

@@ -112,6 +112,9 @@ class Session {
   Text title() const;
   const std::vector<std::string>& recentFiles() const { return recentFiles_; }
   void setRecentFiles(std::vector<std::string> files);
+  // A sample to begin with: untitled, so that it is never written over, its scenes by whole paths.
+  // False where it can't be read; nothing changes then.
+  bool beginWithSample(const std::string& path);
   // A flight from a recovery file: unsaved, as if it had been edited.
   void recover(Flight flight, std::string path);
   // Looks whether another program has changed or deleted the file, and tells so once.

@@ -29,6 +29,31 @@ TEST_F(Files, SavedIsWhatIsRead) {
   EXPECT_THAT(other.recentFiles(), testing::ElementsAre(other.path()));
 }
 
+TEST_F(Files, ASampleIsNeverWrittenOver) {
+  Session maker;
+  makeFive(maker);
+  run(maker, "save-as " + path("sample.vid"));
+  Flight sample = maker.flight();
+  sample.scene.push_back({"scene.obj", {}});
+  writeFile(path("sample.vid"), writeVid(sample));
+  const std::string before = fileText(path("sample.vid"));
+
+  Session session;
+  ASSERT_TRUE(session.beginWithSample(path("sample.vid")));
+  EXPECT_EQ(session.path(), "");
+  EXPECT_FALSE(session.modified());
+  EXPECT_EQ(session.title(), Text("title.saved", {Text("title.untitled")}));
+  EXPECT_EQ(session.flight().keys, sample.keys);
+  EXPECT_EQ(fs::path(session.flight().scene.front().file), fs::canonical(path("")) / "scene.obj");
+  run(session, "set-zoom 33");
+  session.execute("save");  // asks for a name
+  EXPECT_EQ(fileText(path("sample.vid")), before);
+
+  const Flight edited = session.flight();
+  EXPECT_FALSE(session.beginWithSample(path("none.vid")));
+  EXPECT_EQ(session.flight(), edited);
+}
+
 TEST_F(Files, ModifiedTellsWhetherTheFileDiffers) {
   Session session;
   run(session, "save-as " + path("a.vid"));
