@@ -19,16 +19,14 @@ using Places = std::vector<OrientationPlace>;
 
 // Stages 2 and 3 of one section.
 void setSpeedAt(const Chain& chain, const OrientationPlace& place, SectionRecord& s) {
-  std::optional<double> before, after;
-  if (const auto p = chain.previousSection(place)) before = chain.at(*p).speed.values().back();
-  if (const auto n = chain.nextSection(place)) after = chain.at(*n).speed.values().front();
-  setSpeed(s, before, after);
+  setSpeed(s, chain.speedBefore(place), chain.speedAfter(place));
 }
 
 void setPathAt(const Chain& chain, const OrientationPlace& place, SectionRecord& s) {
-  s.signs = chain.linkSigns(place);
-  s.signsDependOnChain = chain.signsDependOnChain(place);
-  s.path = makeOrientationPath(chain.pathInput(place));
+  const Neighbours beside = chain.neighbours(place);
+  s.signs = chain.linkSigns(place, beside);
+  s.signsDependOnChain = chain.signsDependOnChain(place, beside);
+  s.path = makeOrientationPath(chain.pathInput(place, beside));
 }
 
 // The records that take part in a build, all of them in one array.
@@ -161,8 +159,9 @@ SectionRecord& Update::edit(const OrientationPlace& place) {
 void Update::addNeighbours(std::set<OrientationPlace>& places) const {
   const Places from(places.begin(), places.end());
   for (const OrientationPlace& place : from) {
-    if (const auto p = previousSection(place)) places.insert(*p);
-    if (const auto n = nextSection(place)) places.insert(*n);
+    const Neighbours beside = neighbours(place);
+    if (beside.previous) places.insert(*beside.previous);
+    if (beside.next) places.insert(*beside.next);
   }
 }
 

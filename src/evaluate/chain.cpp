@@ -63,6 +63,16 @@ std::optional<OrientationPlace> Chain::previousSection(const OrientationPlace& p
   return sectionOfRank(total - 1);
 }
 
+std::optional<double> Chain::speedBefore(const OrientationPlace& place) const {
+  const auto p = previousSection(place);
+  return p ? std::optional(at(*p).speed.values().back()) : std::nullopt;
+}
+
+std::optional<double> Chain::speedAfter(const OrientationPlace& place) const {
+  const auto n = nextSection(place);
+  return n ? std::optional(at(*n).speed.values().front()) : std::nullopt;
+}
+
 std::int64_t Chain::holdsBefore(const OrientationPlace& place) const {
   std::int64_t sum = tree_.summaryBefore(place.key).holdFrames;
   const KeyRecord& r = record(place.key);
@@ -125,30 +135,30 @@ PathSection Chain::pathSection(const OrientationPlace& place, int startSign, int
   return p;
 }
 
-LinkSigns Chain::linkSigns(const OrientationPlace& place) const {
+LinkSigns Chain::linkSigns(const OrientationPlace& place, const Neighbours& beside) const {
+  const auto signOf = [&](const OrientationPlace& p) {
+    return static_cast<std::int8_t>(linkSign(p));
+  };
   LinkSigns signs;
-  signs.own = static_cast<std::int8_t>(linkSign(place));
-  if (const auto p = previousSection(place)) {
-    signs.previous = static_cast<std::int8_t>(linkSign(*p));
-  }
-  if (const auto n = nextSection(place)) signs.next = static_cast<std::int8_t>(linkSign(*n));
+  signs.own = signOf(place);
+  if (beside.previous) signs.previous = signOf(*beside.previous);
+  if (beside.next) signs.next = signOf(*beside.next);
   return signs;
 }
 
-bool Chain::signsDependOnChain(const OrientationPlace& place) const {
+bool Chain::signsDependOnChain(const OrientationPlace& place, const Neighbours& beside) const {
   const auto resets = [&](const OrientationPlace& p) { return at(p).link == SignLink::kReset; };
-  const auto p = previousSection(place);
-  const auto n = nextSection(place);
-  return resets(place) || (p && resets(*p)) || (n && resets(*n));
+  return resets(place) || (beside.previous && resets(*beside.previous)) ||
+         (beside.next && resets(*beside.next));
 }
 
-PathInput Chain::pathInput(const OrientationPlace& place) const {
+PathInput Chain::pathInput(const OrientationPlace& place, const Neighbours& beside) const {
   PathInput in;
   in.curve = curve_;
   const int own = linkSign(place);
   in.section = pathSection(place, 1, own);
   const OrientationPlace end = after(place);
-  if (const auto p = previousSection(place)) {
+  if (const auto& p = beside.previous) {
     const OrientationPlace joint = after(*p);
     const int link = linkSign(*p);
     in.previous = pathSection(*p, signBetween(joint, place) * link, link);
@@ -156,7 +166,7 @@ PathInput Chain::pathInput(const OrientationPlace& place) const {
   } else {
     in.restsBefore = holdsThrough({0, 0}, place) > 0;
   }
-  if (const auto n = nextSection(place)) {
+  if (const auto& n = beside.next) {
     in.next = pathSection(*n, own * signBetween(end, *n), linkSign(*n));
     in.restsAfter = holdsThrough(end, *n) > 0;
   } else {

@@ -8,6 +8,12 @@
 
 namespace vides {
 
+// The nearest sections with frames before and after one.
+struct Neighbours {
+  std::optional<OrientationPlace> previous;
+  std::optional<OrientationPlace> next;
+};
+
 // A view of the records of one flight. The tree must be complete in stage 1. Records are looked up
 // through record(), which a builder overrides to show its unfinished ones.
 class Chain {
@@ -30,8 +36,15 @@ class Chain {
   // search goes over the seam and may come back to `place` itself.
   std::optional<OrientationPlace> nextSection(const OrientationPlace& place) const;
   std::optional<OrientationPlace> previousSection(const OrientationPlace& place) const;
+  Neighbours neighbours(const OrientationPlace& place) const {
+    return {previousSection(place), nextSection(place)};
+  }
   // The section with frames that is number `rank` of all.
   OrientationPlace sectionOfRank(std::int64_t rank) const;
+
+  // The last speed value of the section before, the first of the section after.
+  std::optional<double> speedBefore(const OrientationPlace& place) const;
+  std::optional<double> speedAfter(const OrientationPlace& place) const;
 
   // Hold frames of the orientations from `first` to `last`, both included, over the seam if need
   // be.
@@ -42,11 +55,11 @@ class Chain {
   // The sign between an orientation and the next one (over the seam after the last).
   int linkSign(const OrientationPlace& place) const;
 
-  // What stage 3 needs for the section that begins at `place`.
-  PathInput pathInput(const OrientationPlace& place) const;
-  LinkSigns linkSigns(const OrientationPlace& place) const;
+  // What stage 3 needs for the section that begins at `place`, beside those neighbours.
+  PathInput pathInput(const OrientationPlace& place, const Neighbours& beside) const;
+  LinkSigns linkSigns(const OrientationPlace& place, const Neighbours& beside) const;
   // Whether those signs can be changed by an edit far away.
-  bool signsDependOnChain(const OrientationPlace& place) const;
+  bool signsDependOnChain(const OrientationPlace& place, const Neighbours& beside) const;
 
  private:
   std::int64_t holdsBefore(const OrientationPlace& place) const;

@@ -71,40 +71,6 @@ FramePlace findFrame(const EvaluationTree& tree, std::int64_t n) {
   return at;
 }
 
-Section entryAt(const Chain& chain, const OrientationPlace& place, bool inHold, std::int64_t index,
-                std::int64_t firstFrame) {
-  const KeyRecord& record = chain.record(place.key);
-  const SectionRecord& s = record.sections[place.orientation];
-  Section section;
-  section.index = index;
-  section.from = section.to = place;
-  section.firstFrame = firstFrame;
-  section.frames = s.holdFrames;
-  if (inHold) return section;
-  section.kind = s.kind;
-  section.to = chain.after(place);
-  section.length = record.lengthOf(s);
-  section.angle = 2.0 * halfRotationAngle(s.q, s.qEnd) * kDegrees;
-  section.frames = s.frames;
-  section.firstFrame = firstFrame;
-  return section;
-}
-
-Section entryBefore(const Chain& chain, const EvaluationTree& tree, const OrientationPlace& place,
-                    bool inHold) {
-  const RecordSummary before = tree.summaryBefore(place.key);
-  const KeyRecord& record = chain.record(place.key);
-  const Inside inside = insideBefore(record, place.orientation);
-  std::int64_t index = before.entries + inside.entries;
-  std::int64_t firstFrame = before.frames + inside.frames;
-  const std::int64_t hold = record.sections[place.orientation].holdFrames;
-  if (!inHold && hold > 0) {
-    ++index;
-    firstFrame += hold;
-  }
-  return entryAt(chain, place, inHold, index, firstFrame);
-}
-
 }  // namespace
 
 std::string_view name(SectionKind kind) {
@@ -132,10 +98,33 @@ OrientationPlace Evaluation::State::lastPlace() const {
   return {tree.size() - 1, tree.back()->sections.size() - 1};
 }
 
+Section Evaluation::State::entryAt(const OrientationPlace& place, bool inHold) const {
+  const RecordSummary before = tree.summaryBefore(place.key);
+  const KeyRecord& record = *tree[place.key];
+  const Inside inside = insideBefore(record, place.orientation);
+  const SectionRecord& s = record.sections[place.orientation];
+  Section section;
+  section.index = before.entries + inside.entries;
+  section.firstFrame = before.frames + inside.frames;
+  section.from = section.to = place;
+  section.frames = s.holdFrames;
+  if (inHold) return section;
+  if (s.holdFrames > 0) ++section.index;
+  section.firstFrame += s.holdFrames;
+  section.kind = s.kind;
+  section.to = chain().after(place);
+  section.length = record.lengthOf(s);
+  section.angle = 2.0 * halfRotationAngle(s.q, s.qEnd) * kDegrees;
+  section.frames = s.frames;
+  return section;
+}
+
 const OrientationPath& pathOf(const Chain& chain, const OrientationPlace& place,
                               const SectionRecord& section, OrientationPath& made) {
-  if (!section.signsDependOnChain || chain.linkSigns(place) == section.signs) return section.path;
-  made = makeOrientationPath(chain.pathInput(place));
+  if (!section.signsDependOnChain) return section.path;
+  const Neighbours beside = chain.neighbours(place);
+  if (chain.linkSigns(place, beside) == section.signs) return section.path;
+  made = makeOrientationPath(chain.pathInput(place, beside));
   return made;
 }
 
@@ -218,25 +207,23 @@ Section Evaluation::section(std::int64_t index) const {
   OrientationPlace place{found.index, 0};
   while (true) {
     const SectionRecord& s = (*found.item)->sections[place.orientation];
-    if (s.holdFrames > 0 && left-- == 0) {
-      return entryBefore(state_->chain(), state_->tree, place, true);
-    }
+    if (s.holdFrames > 0 && left-- == 0) return state_->entryAt(place, true);
     if (s.exists && left-- == 0) break;
     ++place.orientation;
   }
-  return entryBefore(state_->chain(), state_->tree, place, false);
+  return state_->entryAt(place, false);
 }
 
 std::optional<Section> Evaluation::sectionAtFrame(std::int64_t n) const {
   const std::int64_t frames = state_->tree.summary().frames;
   if (frames == 0) return std::nullopt;
   const FramePlace at = findFrame(state_->tree, std::clamp<std::int64_t>(n, 0, frames - 1));
-  return entryBefore(state_->chain(), state_->tree, at.place, at.inHold);
+  return state_->entryAt(at.place, at.inHold);
 }
 
 std::optional<Section> Evaluation::sectionFrom(const OrientationPlace& place) const {
   if (!state_->chain().at(place).exists) return std::nullopt;
-  return entryBefore(state_->chain(), state_->tree, place, false);
+  return state_->entryAt(place, false);
 }
 
 double Evaluation::length() const {
@@ -283,15 +270,11 @@ const SpeedCurve& Evaluation::speedCurve(const OrientationPlace& place) const {
 }
 
 std::optional<double> Evaluation::speedBefore(const OrientationPlace& place) const {
-  const Chain chain = state_->chain();
-  const auto p = chain.previousSection(place);
-  return p ? std::optional(chain.at(*p).speed.values().back()) : std::nullopt;
+  return state_->chain().speedBefore(place);
 }
 
 std::optional<double> Evaluation::speedAfter(const OrientationPlace& place) const {
-  const Chain chain = state_->chain();
-  const auto n = chain.nextSection(place);
-  return n ? std::optional(chain.at(*n).speed.values().front()) : std::nullopt;
+  return state_->chain().speedAfter(place);
 }
 
 }  // namespace vides

@@ -14,6 +14,8 @@ struct Evaluation::State {
 
   Chain chain() const { return Chain(tree, flight.closed, flight.orientationCurve); }
   std::int64_t frameCount() const;
+  // The hold before an orientation, or the section that it begins.
+  Section entryAt(const OrientationPlace& place, bool inHold) const;
   // The place of the last orientation of the chain.
   OrientationPlace lastPlace() const;
 };

@@ -9,8 +9,7 @@ namespace vides {
 
 // The stretch of frames that the walk is in: a hold or a section.
 struct FrameWalk::Place {
-  explicit Place(const Evaluation::State& state)
-      : chain(state.tree, state.flight.closed, state.flight.orientationCurve) {}
+  explicit Place(const Evaluation::State& state) : chain(state.chain()) {}
   Chain chain;
   Section section;                    // the entry; frames is 0 at the very end
   const KeyRecord* record = nullptr;  // of the key that it begins at

@@ -6,18 +6,18 @@
 #include <cmath>
 #include <vector>
 
+#include "flight/limits.hpp"
+
 namespace vides {
 namespace {
 
 constexpr int kMostInserted = 10;
-constexpr std::size_t kMostKeys = 1'000'000;
-constexpr double kLeastAimDistance = 1e-9;
 // A new key closer to the last one than this makes no sense.
 constexpr double kLeastRoom = 1e-3;
 
 bool aimsAreApart(const Key& key) {
   return std::all_of(key.orientations.begin(), key.orientations.end(), [&](const Orientation& o) {
-    return glm::length(aimOffset(key, o)) >= kLeastAimDistance;
+    return glm::length(aimOffset(key, o)) >= limits::kAimDistance;
   });
 }
 
@@ -33,7 +33,7 @@ tl::expected<Flight, InsertRefusal> insertAt(const Evaluation& evaluation, std::
                                              const std::vector<double>& fractions) {
   const Flight& flight = evaluation.flight();
   if (after >= evaluation.pieceCount()) return tl::unexpected(InsertRefusal::kAfterLastKey);
-  if (flight.keys.size() + fractions.size() > kMostKeys) {
+  if (flight.keys.size() + fractions.size() > limits::kKeys.max) {
     return tl::unexpected(InsertRefusal::kTooMany);
   }
   Key current = flight.keys[after];
@@ -87,7 +87,7 @@ tl::expected<Flight, InsertRefusal> appendKey(const Evaluation& evaluation) {
   const Flight& flight = evaluation.flight();
   const std::size_t last = flight.keys.size() - 1;
   if (flight.closed) return insertKeys(evaluation, last, 1);
-  if (flight.keys.size() >= kMostKeys) return tl::unexpected(InsertRefusal::kTooMany);
+  if (flight.keys.size() >= limits::kKeys.max) return tl::unexpected(InsertRefusal::kTooMany);
 
   const Key& from = flight.keys[last];
   Vec3 direction = evaluation.piece(last - 1).derivative(1.0);
