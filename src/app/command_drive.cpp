@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // `vides drive`: the whole editor without a display, fed with events.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <iterator>
-#include <optional>
 
 #include "app/commands.hpp"
 #include "app/drive/runner.hpp"
@@ -14,16 +12,11 @@
 #include "app/messages.hpp"
 #include "app/offscreen_editor.hpp"
 #include "app/output.hpp"
+#include "flight/limits.hpp"
+#include "io/read_file.hpp"
 
 namespace vides {
 namespace {
-
-std::optional<std::string> readText(const std::string& file) {
-  if (file == "-") return std::string(std::istreambuf_iterator<char>(std::cin), {});
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
 
 int listWidgets(Player& player) {
   Output output;
@@ -37,17 +30,14 @@ int listWidgets(Player& player) {
 
 int runDrive(const DriveCommand& command) {
   auto offscreen =
-      openOffscreenEditor(command.offscreen == "egl" ? OffscreenKind::kEgl : OffscreenKind::kOsmesa,
-                          {command.width, command.height}, command.scale);
-  if (!offscreen) {
-    tell(offscreen.error());
-    return kFailed;
-  }
+      openOffscreenEditor(command.offscreen, {command.width, command.height}, command.scale);
+  if (!offscreen) return kFailed;
   Player& player = *offscreen->player;
   player.editor().run(Command("language", command.language));
   if (command.flight && !openFlightArgument(player.editor(), *command.flight)) return kFailed;
   if (command.listWidgets) return listWidgets(player);
-  const auto script = readText(command.script);
+  const auto script = command.script == "-" ? readDescriptor(STDIN_FILENO, limits::kFileSize)
+                                            : readFile(command.script, limits::kFileSize);
   if (!script) {
     tell(fmt::format("{}: can't be read", command.script));
     return kFailed;

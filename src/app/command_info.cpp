@@ -71,18 +71,6 @@ void writeJson(const Evaluation& evaluation, Output& output) {
 
 // --- for people ----------------------------------------------------------------------------------
 
-std::string_view curveName(OrientationCurve curve) {
-  switch (curve) {
-    case OrientationCurve::kSmooth:
-      return "smooth";
-    case OrientationCurve::kCatmullRom:
-      return "catmull_rom";
-    case OrientationCurve::kSlerp:
-      return "slerp";
-  }
-  return "";
-}
-
 // Control characters would play tricks with the terminal.
 std::string printable(std::string text) {
   std::replace_if(
@@ -130,7 +118,7 @@ void writeText(const Evaluation& evaluation, const std::string& file, Output& ou
   output.write(fmt::format("Keys          {} ({})\n", flight.keys.size(),
                            flight.closed ? "closed" : "open"));
   output.write(fmt::format("Orientations  {} (curve: {})\n", flight.keys.orientations(),
-                           curveName(flight.orientationCurve)));
+                           name(flight.orientationCurve)));
   output.write(
       fmt::format("Frames        {} ({} a second)\n", evaluation.frameCount(), flight.frameRate));
   output.write(fmt::format("Seconds       {:.2f}\n", seconds(evaluation.frameCount(), flight)));

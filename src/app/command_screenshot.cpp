@@ -44,12 +44,8 @@ tl::expected<Picture, std::string> takePicture(const ScreenshotCommand& command,
 
 int runScreenshot(const ScreenshotCommand& command) {
   auto offscreen =
-      openOffscreenEditor(command.offscreen == "egl" ? OffscreenKind::kEgl : OffscreenKind::kOsmesa,
-                          {command.width, command.height}, command.scale);
-  if (!offscreen) {
-    tell(offscreen.error());
-    return kFailed;
-  }
+      openOffscreenEditor(command.offscreen, {command.width, command.height}, command.scale);
+  if (!offscreen) return kFailed;
   if (!openFlightArgument(offscreen->player->editor(), command.flight)) return kFailed;
   const auto picture = takePicture(command, *offscreen);
   if (!picture) {

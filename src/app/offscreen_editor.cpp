@@ -9,15 +9,21 @@
 
 namespace vides {
 
-tl::expected<OffscreenEditor, std::string> openOffscreenEditor(OffscreenKind kind, PixelSize size,
-                                                               double contentScale) {
+std::optional<OffscreenEditor> openOffscreenEditor(const std::string& kind, PixelSize size,
+                                                   double contentScale) {
   OffscreenOptions options;
   options.size = size;
   options.contentScale = contentScale;
-  auto host = openOffscreen(kind, options);
-  if (!host) return Failure(host.error());
+  auto host = openOffscreen(kind == "egl" ? OffscreenKind::kEgl : OffscreenKind::kOsmesa, options);
+  if (!host) {
+    tell(host.error());
+    return std::nullopt;
+  }
   auto player = Player::create(**host);
-  if (!player) return Failure(player.error());
+  if (!player) {
+    tell(player.error());
+    return std::nullopt;
+  }
   return OffscreenEditor{std::move(*host), std::move(*player)};
 }
 

@@ -17,9 +17,9 @@ struct OffscreenEditor {
   std::unique_ptr<Player> player;  // goes before its host
 };
 
-// Error: a sentence.
-tl::expected<OffscreenEditor, std::string> openOffscreenEditor(OffscreenKind kind, PixelSize size,
-                                                               double contentScale);
+// `kind` is "osmesa" or "egl". Nothing where it can't be opened: why went to standard error.
+std::optional<OffscreenEditor> openOffscreenEditor(const std::string& kind, PixelSize size,
+                                                   double contentScale);
 
 // Opens a flight in the editor; "-" is standard input. False where it can't be read: what is wrong
 // went to standard error.

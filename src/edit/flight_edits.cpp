@@ -117,11 +117,11 @@ EditResult setClosedEdit(const EditState& state, const Arguments& arguments) {
 }
 
 EditResult setOrientationCurveEdit(const EditState& state, const Arguments& arguments) {
-  const std::string& name = arguments.text(0);
   Flight flight = state.flight;
-  flight.orientationCurve = name == "smooth"        ? OrientationCurve::kSmooth
-                            : name == "catmull_rom" ? OrientationCurve::kCatmullRom
-                                                    : OrientationCurve::kSlerp;
+  // The command's arguments are checked: it is one of them.
+  for (const OrientationCurve curve : kOrientationCurves) {
+    if (name(curve) == arguments.text(0)) flight.orientationCurve = curve;
+  }
   return changedFlight(state, "step.set-orientation-curve", std::move(flight));
 }
 

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,20 @@ bool sameExtra(const Extra& a, const Extra& b);
 
 enum class AimMode { kAbsolute, kRelative };
 enum class OrientationCurve { kSmooth, kCatmullRom, kSlerp };
+inline constexpr std::array kOrientationCurves{
+    OrientationCurve::kSmooth, OrientationCurve::kCatmullRom, OrientationCurve::kSlerp};
+// "smooth", "catmull_rom" or "slerp": as files, commands and lists name it.
+constexpr std::string_view name(OrientationCurve curve) {
+  switch (curve) {
+    case OrientationCurve::kSmooth:
+      break;
+    case OrientationCurve::kCatmullRom:
+      return "catmull_rom";
+    case OrientationCurve::kSlerp:
+      return "slerp";
+  }
+  return "smooth";
+}
 
 // Aim, roll, zoom, and the speed curve, duration and hold of the section that it begins.
 struct Orientation {

@@ -55,10 +55,10 @@ Expectation expectScene() { return expectKind(Expected::kArray); }
 
 constexpr VidValues::Choice<AimMode> kAimModes[] = {{"absolute", AimMode::kAbsolute},
                                                     {"relative", AimMode::kRelative}};
-constexpr VidValues::Choice<OrientationCurve> kOrientationCurves[] = {
-    {"smooth", OrientationCurve::kSmooth},
-    {"catmull_rom", OrientationCurve::kCatmullRom},
-    {"slerp", OrientationCurve::kSlerp}};
+constexpr VidValues::Choice<OrientationCurve> kCurveNames[] = {
+    {name(OrientationCurve::kSmooth), OrientationCurve::kSmooth},
+    {name(OrientationCurve::kCatmullRom), OrientationCurve::kCatmullRom},
+    {name(OrientationCurve::kSlerp), OrientationCurve::kSlerp}};
 
 // A `duration` that is absent means something else than any number.
 void readDuration(VidValues& v, OrientationReading& o) {
@@ -271,7 +271,7 @@ constexpr Member<FlightReading> kFlightMembers[] = {
     {"closed", [](VidValues& v, FlightReading& f) { v.boolean(f.flight.closed); }},
     {"orientation_curve",
      [](VidValues& v, FlightReading& f) {
-       v.oneOf<OrientationCurve>(kOrientationCurves, f.flight.orientationCurve);
+       v.oneOf<OrientationCurve>(kCurveNames, f.flight.orientationCurve);
      }},
     {"presets", readPresets},
     {"keys", readKeys, expectKeys},

@@ -22,18 +22,6 @@ std::string_view nameOf(AimMode mode) {
   return mode == AimMode::kAbsolute ? "absolute" : "relative";
 }
 
-std::string_view nameOf(OrientationCurve curve) {
-  switch (curve) {
-    case OrientationCurve::kSmooth:
-      return "smooth";
-    case OrientationCurve::kCatmullRom:
-      return "catmull_rom";
-    case OrientationCurve::kSlerp:
-      return "slerp";
-  }
-  return "smooth";
-}
-
 // Writes members and elements with their commas; an object or array either stands on one line or
 // has each of its parts on a line of its own.
 class Layout {
@@ -227,7 +215,7 @@ bool writeVid(const Flight& flight, const TextSink& sink) {
   to.member("frame_rate", flight.frameRate);
   writeSmallObjects(to, flight);
   to.member("closed", flight.closed);
-  to.member("orientation_curve", nameOf(flight.orientationCurve));
+  to.member("orientation_curve", name(flight.orientationCurve));
   writePresets(to, flight);
   to.member("keys");
   to.open('[');
