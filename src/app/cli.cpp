@@ -232,9 +232,11 @@ class Parser {
     drive_->add_option("--script", drive.script, "What to do; - for standard input")
         ->type_name("FILE");
     addPictureOptions(*drive_, drive.width, drive.height, drive.scale, drive.offscreen);
-    drive_->add_option("--language", drive.language, "en (default) or de")
+    drive_->add_option("--language", drive.language, "en or de (default: the setup's, else en)")
         ->type_name("en|de")
         ->check(CLI::IsMember({"en", "de"}));
+    drive_->add_option("--setup", drive.setup, "A setup file (default: the built-in setup)")
+        ->type_name("FILE");
     drive_->add_flag("--list-widgets", drive.listWidgets,
                      "Print every widget's identifier and label instead");
     drive_->footer(kDriveFooter);

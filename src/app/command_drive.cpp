@@ -18,6 +18,17 @@
 namespace vides {
 namespace {
 
+// Everything that is wrong with a setup is told.
+bool useSetup(Session& session, const std::string& path) {
+  const ReadSetup setup = readSetupFile(path);
+  if (setup) {
+    session.setSetup(*setup);
+    return true;
+  }
+  for (const Problem& problem : setup.error()) tell(problemLine(path, problem));
+  return false;
+}
+
 int listWidgets(Player& player) {
   Output output;
   for (const auto& [id, label] : allWidgets(player)) {
@@ -33,7 +44,8 @@ int runDrive(const DriveCommand& command) {
       openOffscreenEditor(command.offscreen, {command.width, command.height}, command.scale);
   if (!offscreen) return kFailed;
   Player& player = *offscreen->player;
-  player.editor().run(Command("language", command.language));
+  if (command.setup && !useSetup(player.editor().session(), *command.setup)) return kFailed;
+  if (command.language) player.editor().run(Command("language", *command.language));
   if (command.flight && !openFlightArgument(player.editor(), *command.flight)) return kFailed;
   if (command.listWidgets) return listWidgets(player);
   const auto script = command.script == "-" ? readDescriptor(STDIN_FILENO, limits::kFileSize)

@@ -53,8 +53,9 @@ struct DriveCommand {
   int width = 1280;  // pixels
   int height = 800;
   double scale = 1.0;
-  std::string language = "en";  // or de
-  bool listWidgets = false;     // instead of a script
+  std::optional<std::string> language;  // en or de; nothing: the setup's
+  std::optional<std::string> setup;     // nothing: the built-in one
+  bool listWidgets = false;             // instead of a script
   std::string offscreen = "osmesa";
 };
 int runDrive(const DriveCommand& command);

@@ -138,7 +138,7 @@ void Editor::Parts::apply(const Actions& actions) {
   if (actions.noNumber) {
     session.say(MessageKind::kRefusal, Text("refusal.no-number", {*actions.noNumber}));
   }
-  if (actions.layout) layout = *actions.layout;
+  if (actions.layout) session.setLayout(*actions.layout);
 }
 
 // View changes by a command glide there.
@@ -274,8 +274,8 @@ Session& Editor::session() { return parts_->session; }
 const Session& Editor::session() const { return parts_->session; }
 const WidgetRegistry& Editor::widgets() const { return parts_->registry; }
 Rect Editor::viewport() const { return parts_->pictures->viewportRect(); }
-Layout Editor::layout() const { return parts_->layout; }
-void Editor::setLayout(const Layout& layout) { parts_->layout = layout; }
+Layout Editor::layout() const { return parts_->session.layout(); }
+void Editor::setLayout(const Layout& layout) { parts_->session.setLayout(layout); }
 std::int64_t Editor::framesDrawn() const { return parts_->framesDrawn; }
 
 }  // namespace vides

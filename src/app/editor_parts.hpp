@@ -58,7 +58,6 @@ struct Editor::Parts {
   ImguiInput input;
   UiMemory memory;
   WidgetRegistry registry;
-  Layout layout;
   TimelineView timeline;
   ChooserMemory chooser;
   ViewportTools tools{session};

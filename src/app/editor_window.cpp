@@ -17,10 +17,6 @@ namespace {
 
 // At content scale 1.
 constexpr float kMenuHeight = 28.0f;
-constexpr float kLeastColumn = 220.0f;
-constexpr float kMostColumn = 480.0f;
-constexpr float kLeastTimeline = 104.0f;
-constexpr float kMostTimeline = 400.0f;
 constexpr float kLeastViewport = 160.0f;
 constexpr float kSplitter = 6.0f;
 
@@ -126,7 +122,7 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
       session.say(MessageKind::kError, Text("error.scene", {why}));
     });
     pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, scene, viewportState());
-    if (layout.bare) return;
+    if (session.layout().bare) return;
     const EditorView& view = session.view().view;
     const bool perspective = view.type == ProjectionType::Perspective;
     const std::string name = ui.words(perspective ? "view/perspective" : "view/parallel");
@@ -149,20 +145,23 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
 void Editor::Parts::splitters(Ui& ui, const Rect& all, const Rect& left, const Rect& right,
                               const Rect& timelineRect, Actions& actions) {
   const float thick = ui.px(kSplitter);
+  const Layout& layout = session.layout();
   Layout next = layout;
   const auto change = [&](const char* id, const Rect& rect, bool vertical, float& size, bool& on,
-                          float sign, float least, float most) {
+                          float sign, const Range& range) {
     const SplitterChange by = splitter(ui, id, rect, vertical);
     if (by.fold) on = !on;
-    if (by.by != 0.0f && on) size = std::clamp(size + sign * by.by, least, most);
+    if (by.by != 0.0f && on)
+      size = std::clamp(size + sign * by.by, static_cast<float>(range.min),
+                        static_cast<float>(range.max));
   };
   const float height = timelineRect.y - all.y;
   change("view/left_splitter", {left.right() - thick / 2, all.y, thick, height}, true, next.left,
-         next.leftShown, 1.0f, kLeastColumn, kMostColumn);
+         next.leftShown, 1.0f, kColumnWidth);
   change("view/right_splitter", {right.x - thick / 2, all.y, thick, height}, true, next.right,
-         next.rightShown, -1.0f, kLeastColumn, kMostColumn);
+         next.rightShown, -1.0f, kColumnWidth);
   change("view/timeline_splitter", {all.x, timelineRect.y - thick / 2, all.width, thick}, false,
-         next.timeline, next.timelineShown, -1.0f, kLeastTimeline, kMostTimeline);
+         next.timeline, next.timelineShown, -1.0f, kTimelineHeight);
   if (next != layout) actions.layout = next;
 }
 
@@ -179,24 +178,27 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, 0);
   ImGui::Begin("###window", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                   ImGuiWindowFlags_NoSavedSettings | (layout.bare ? 0 : ImGuiWindowFlags_MenuBar) |
+                   ImGuiWindowFlags_NoSavedSettings |
+                   (session.layout().bare ? 0 : ImGuiWindowFlags_MenuBar) |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-  if (!layout.bare) {
+  if (!session.layout().bare) {
     menuBar(
-        ui, session, layout, [this](std::string_view line) { return shortcutOf(line); }, actions);
+        ui, session, session.layout(), [this](std::string_view line) { return shortcutOf(line); },
+        actions);
   }
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
-  if (layout.bare) {
+  if (session.layout().bare) {
     viewportArea(ui, {0.0f, 0.0f, size.x, size.y}, actions);
   } else {
     arrange(ui, below({0.0f, 0.0f, size.x, size.y}, menu), actions);
   }
   ImGui::End();
-  if (!layout.bare) windows(ui, session, texts, chooser, actions);
+  if (!session.layout().bare) windows(ui, session, texts, chooser, actions);
 }
 
 void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {
+  const Layout& layout = session.layout();
   // What is too large for the window gives way: columns before the viewport.
   const float bar =
       layout.timelineShown ? std::min(ui.px(layout.timeline), all.height * 0.5f) : 0.0f;

@@ -2,7 +2,9 @@
 // The editor in a window: sleeps until something happens, and then draws a display frame.
 #include "app/open_editor.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <thread>
 
 #include "app/assets.hpp"
@@ -11,6 +13,8 @@
 #include "app/messages.hpp"
 #include "app/offscreen_editor.hpp"
 #include "app/sample_frames.hpp"
+#include "app/user_files.hpp"
+#include "edit/folder.hpp"
 #include "host/open_host.hpp"
 
 namespace vides {
@@ -54,16 +58,16 @@ class WindowDress {
   CursorShape cursor_ = CursorShape::kArrow;
 };
 
-void runWindow(Host& host, Editor& editor) {
+void runWindow(Host& host, Editor& editor, UserFiles& userFiles) {
   using Seconds = std::chrono::duration<double>;
   WindowDress dress(host);
-  std::optional<double> due = 0.0;  // when the next display frame is wanted; the first at once
+  double due = 0.0;  // when the next display frame is wanted; the first at once
   double last = -1.0;
   for (;;) {
     FrameInput input;
     input.events = host.takeEvents();
-    if (input.events.empty() && !(due && host.time() >= *due)) {
-      host.waitForEvents(due ? Seconds(*due - host.time()) : kLongest);
+    if (input.events.empty() && host.time() < due) {
+      host.waitForEvents(std::min(Seconds(due - host.time()), kLongest));
       continue;
     }
     if (const double early = last + kLeastFrameSeconds - host.time(); early > 0.0) {
@@ -78,8 +82,11 @@ void runWindow(Host& host, Editor& editor) {
     if (visible) host.swap();
     if (outcome.quit) return;
     dress.put(outcome);
-    due.reset();
-    if (outcome.nextFrameIn) due = input.time + *outcome.nextFrameIn;
+    due = std::numeric_limits<double>::infinity();
+    for (const std::optional<double>& wanted :
+         {outcome.nextFrameIn, userFiles.follow(editor.session(), input.time)}) {
+      due = std::min(due, input.time + wanted.value_or(due));
+    }
   }
 }
 
@@ -107,12 +114,17 @@ int openEditor(const std::optional<std::string>& flight) {
     tell(editor.error());
     return kFailed;
   }
+  BackgroundWriter writer;
+  UserFiles userFiles(writer, configFolder(), stateFolder());
+  const std::optional<Text> trouble = userFiles.load((*editor)->session());
   if (flight) {
     if (!openFlightArgument(**editor, *flight)) return kFailed;
   } else if (const auto sample = findAsset("flights/pyramid.vid")) {
     (*editor)->session().beginWithSample(sample->string());
   }
-  runWindow(window, **editor);
+  if (trouble) (*editor)->session().say(MessageKind::kError, *trouble);
+  runWindow(window, **editor, userFiles);
+  userFiles.close((*editor)->session());
   window.makeCurrent();
   editor->reset();
   return kExitDone;

@@ -208,19 +208,26 @@ std::vector<std::string> elementChoices() {
 }
 
 void addDisplayCommands(Table& t) {
-  const std::vector<std::string> windows = {
-      "shape",        "speed",          "flight",       "insert-keys", "frames",
-      "settings",     "colours",        "shortcuts",    "about",       "chooser-open",
-      "chooser-save", "chooser-import", "chooser-setup"};
+  const std::vector<std::string> windows = {"shape",         "speed",
+                                            "flight",        "insert-keys",
+                                            "frames",        "settings",
+                                            "colours",       "shortcuts",
+                                            "about",         "chooser-open",
+                                            "chooser-save",  "chooser-import",
+                                            "chooser-setup", "chooser-save-setup"};
   addAct(t, "show-element", {choice("ELEMENT", switchChoices()), onOff()}, Acts::showElement);
   addAct(t, "set-colour",
          {choice("ELEMENT", elementChoices()), index("RED"), index("GREEN"), index("BLUE")},
          Acts::setColour);
-  addAct(t, "reset-colour", {choice("ELEMENT", elementChoices())}, Acts::resetColour);
+  addAct(t, "reset-colour", {optional(choice("ELEMENT", elementChoices()))}, Acts::resetColour);
   addAct(t, "theme", {choice("THEME", {"dark", "light", "high_contrast"})}, Acts::setTheme);
   addAct(t, "content-scale", {number("SCALE")}, Acts::contentScale);
+  addAct(t, "ghost-every", {index("FRAMES")}, Acts::ghostEvery);
   addAct(t, "units", {choice("UNITS", {"cube", "scene"})}, Acts::units);
   addAct(t, "language", {choice("LANGUAGE", {"en", "de"})}, Acts::language);
+  addAct(t, "load-setup", {optional(text("FILE"))}, Acts::loadSetup);
+  addAct(t, "save-setup", {optional(text("FILE"))}, Acts::saveSetup);
+  addAct(t, "reset-setup", {}, Acts::resetSetup);
   addAct(t, "show-window", {choice("WINDOW", windows)}, Acts::showWindow);
   addAct(t, "close-window", {optional(choice("WINDOW", windows))}, Acts::closeWindow);
   addAct(t, "full-screen", {onOff()}, Acts::fullScreen);

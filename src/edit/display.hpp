@@ -8,11 +8,17 @@
 #include <string_view>
 #include <vector>
 
+#include "flight/limits.hpp"
 #include "io/problem_text.hpp"
 #include "scene/theme.hpp"
 #include "scene/viewport_scene.hpp"
 
 namespace vides {
+
+// Chosen content scales; 0 stands for the screen's own.
+inline constexpr Range kContentScale{0.5, 4.0};
+// A ghost camera every so many frames; whole.
+inline constexpr Range kGhostEvery{1, 100000};
 
 enum class Units { kCube, kScene };
 

@@ -21,6 +21,14 @@ std::string lowered(std::string_view text) {
   return result;
 }
 
+// Relative paths in the variable are to be ignored.
+fs::path ownFolder(const char* variable, const char* inHome) {
+  const char* const chosen = std::getenv(variable);
+  if (chosen != nullptr && fs::path(chosen).is_absolute()) return fs::path(chosen) / "vides";
+  const fs::path home = homeFolder();
+  return home.is_absolute() ? home / inHome / "vides" : fs::path();
+}
+
 }  // namespace
 
 tl::expected<std::vector<FolderEntry>, std::string> readFolder(
@@ -55,6 +63,9 @@ fs::path typedPath(const fs::path& folder, std::string_view typed) {
   if (typed.starts_with("~/")) return (homeFolder() / typed.substr(2)).lexically_normal();
   return (folder / typed).lexically_normal();
 }
+
+fs::path configFolder() { return ownFolder("XDG_CONFIG_HOME", ".config"); }
+fs::path stateFolder() { return ownFolder("XDG_STATE_HOME", ".local/state"); }
 
 fs::path homeFolder() {
   const char* const home = std::getenv("HOME");

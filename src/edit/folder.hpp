@@ -28,4 +28,10 @@ std::filesystem::path typedPath(const std::filesystem::path& folder, std::string
 // The user's own folder; empty where the system names none.
 std::filesystem::path homeFolder();
 
+// Where vides keeps its setup ($XDG_CONFIG_HOME/vides) and what it remembers from run to run
+// ($XDG_STATE_HOME/vides), as the XDG base directory specification has it; they need not exist.
+// Empty where neither the variable nor the home names an absolute folder.
+std::filesystem::path configFolder();
+std::filesystem::path stateFolder();
+
 }  // namespace vides

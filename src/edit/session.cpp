@@ -304,6 +304,27 @@ Text Session::title() const {
   return Text(key, {std::filesystem::path(path()).filename().string()});
 }
 
+Setup Session::setup() const {
+  const EditorView& view = view_.view;
+  Setup setup{display_, layout_, view.turn, view.tilt, view.size, false};
+  setup.layout.bare = false;
+  setup.perspective = view.type == ProjectionType::Perspective;
+  return setup;
+}
+
+void Session::setSetup(const Setup& setup) {
+  display_ = setup.display;
+  const bool bare = layout_.bare;
+  layout_ = setup.layout;
+  layout_.bare = bare;
+  EditorView& view = view_.view;
+  view.turn = setup.turn;
+  view.tilt = setup.tilt;
+  view.size = setup.size;
+  view.type = setup.perspective ? ProjectionType::Perspective : ProjectionType::Parallel;
+  view_.throughCamera = false;
+}
+
 void Session::setRecentFiles(std::vector<std::string> files) {
   recentFiles_ = std::move(files);
   if (recentFiles_.size() > kRecentFiles) recentFiles_.resize(kRecentFiles);

@@ -18,8 +18,10 @@
 #include "edit/display.hpp"
 #include "edit/edit_state.hpp"
 #include "edit/history.hpp"
+#include "edit/layout.hpp"
 #include "edit/marks.hpp"
 #include "edit/playback.hpp"
+#include "edit/setup.hpp"
 #include "edit/text.hpp"
 #include "edit/view_state.hpp"
 #include "evaluate/evaluation.hpp"
@@ -137,6 +139,11 @@ class Session {
   const ViewState& view() const { return view_; }
   const Display& display() const { return display_; }
   void setDisplay(const Display& display) { display_ = display; }
+  const Layout& layout() const { return layout_; }
+  void setLayout(const Layout& layout) { layout_ = layout; }
+  // Display, layout and how the viewport is looked at, as a setup file keeps them.
+  Setup setup() const;
+  void setSetup(const Setup& setup);
   void setView(const ViewState& view) { view_ = view; }
 
   // The output line: the last message, else the current numbers.
@@ -192,6 +199,7 @@ class Session {
   std::optional<Camera> freeCamera_;
   ViewState view_;
   Display display_;
+  Layout layout_;
   OutputLine output_;
   std::optional<Question> question_;
   std::optional<Command> afterAnswer_;  // goes on when the question is answered, or after saving

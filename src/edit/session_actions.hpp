@@ -83,8 +83,12 @@ struct SessionActions {
   static Result resetColour(Session& session, const Arguments& arguments);
   static Result setTheme(Session& session, const Arguments& arguments);
   static Result contentScale(Session& session, const Arguments& arguments);
+  static Result ghostEvery(Session& session, const Arguments& arguments);
   static Result units(Session& session, const Arguments& arguments);
   static Result language(Session& session, const Arguments& arguments);
+  static Result loadSetup(Session& session, const Arguments& arguments);
+  static Result saveSetup(Session& session, const Arguments& arguments);
+  static Result resetSetup(Session& session, const Arguments& arguments);
   static Result showWindow(Session& session, const Arguments& arguments);
   static Result closeWindow(Session& session, const Arguments& arguments);
   static Result fullScreen(Session& session, const Arguments& arguments);

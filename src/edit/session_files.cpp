@@ -218,6 +218,45 @@ Result SessionActions::addScene(Session& session, const Arguments& arguments) {
   return session.run(command);
 }
 
+// --- The setup ---
+
+Result SessionActions::loadSetup(Session& session, const Arguments& arguments) {
+  if (!arguments.has(0)) {
+    openWindow(session, "chooser-setup");
+    return {};
+  }
+  const std::string& path = arguments.text(0);
+  const ReadSetup setup = readSetupFile(path);
+  if (!setup) return failed(session, problemText("output.setup-failed", path, setup.error()));
+  session.setSetup(*setup);
+  hideWindow(session, "chooser-setup");
+  session.say(MessageKind::kDone, Text("output.setup-loaded", {fileName(path)}));
+  return {};
+}
+
+Result SessionActions::saveSetup(Session& session, const Arguments& arguments) {
+  if (!arguments.has(0)) {
+    openWindow(session, "chooser-save-setup");
+    return {};
+  }
+  const std::string& path = arguments.text(0);
+  if (const auto problem = vides::saveSetup(session.setup(), path)) {
+    return failed(session, problemText("output.save-failed", path, {*problem}));
+  }
+  hideWindow(session, "chooser-save-setup");
+  session.say(MessageKind::kDone, Text("output.saved", {fileName(path)}));
+  return {};
+}
+
+Result SessionActions::resetSetup(Session& session, const Arguments&) {
+  Setup setup;
+  // Nobody is thrown into a language that he can't read.
+  setup.display.language = session.display_.language;
+  session.setSetup(setup);
+  session.say(MessageKind::kDone, Text("output.setup-reset"));
+  return {};
+}
+
 void Session::checkDisk() {
   const DiskState disk = file_.compare();
   missingOnDisk_ = disk == DiskState::kDeleted;

@@ -208,7 +208,12 @@ Result SessionActions::setColour(Session& session, const Arguments& arguments) {
 }
 
 Result SessionActions::resetColour(Session& session, const Arguments& arguments) {
-  session.display_.colours[static_cast<std::size_t>(*colourRole(arguments.text(0)))].reset();
+  auto& colours = session.display_.colours;
+  if (!arguments.has(0)) {
+    colours.fill(std::nullopt);
+    return {};
+  }
+  colours[static_cast<std::size_t>(*colourRole(arguments.text(0)))].reset();
   return {};
 }
 
@@ -219,10 +224,17 @@ Result SessionActions::setTheme(Session& session, const Arguments& arguments) {
 
 Result SessionActions::contentScale(Session& session, const Arguments& arguments) {
   const double scale = arguments.number(0);
-  if (scale != 0.0 && (scale < 0.5 || scale > 4.0)) {
+  if (scale != 0.0 && !kContentScale.contains(scale)) {
     return tl::unexpected(Text("refusal.content-scale", {scale}));
   }
   session.display_.contentScale = scale;
+  return {};
+}
+
+Result SessionActions::ghostEvery(Session& session, const Arguments& arguments) {
+  const double frames = arguments.number(0);
+  if (!kGhostEvery.contains(frames)) return tl::unexpected(Text("refusal.ghost-every", {frames}));
+  session.display_.shown.ghostEvery = static_cast<int>(frames);
   return {};
 }
 

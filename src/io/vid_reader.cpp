@@ -284,26 +284,10 @@ Problem withCode(ProblemCode code, std::string_view pointer) {
   return problem;
 }
 
-Problem syntaxProblem(std::string_view text, const SyntaxError& error) {
-  Problem problem = withCode(ProblemCode::kSyntax, {});
-  const TextPlace place = placeInText(text, error.offset);
-  problem.line = static_cast<std::int64_t>(place.line);
-  problem.column = static_cast<std::int64_t>(place.column);
-  problem.syntax = error.expected;
-  problem.found = error.found;
-  return problem;
-}
-
 Problem newerVersion(const NewerVersion& newer) {
   Problem problem = withCode(ProblemCode::kNewerVersion, "/version");
   problem.expected = expectVersion();
   problem.found = newer.format;
-  return problem;
-}
-
-Problem tooDeep(const TooDeep& deep) {
-  Problem problem = withCode(ProblemCode::kTooDeep, deep.pointer);
-  problem.expected.max = static_cast<double>(limits::kNesting);
   return problem;
 }
 
@@ -325,14 +309,11 @@ ReadFlight readVid(std::string_view text) {
   VidValues values(text);
   FlightReading reading;
   try {
-    values.object<FlightReading>(kFlightMembers, reading, reading.flight.extras.flight);
-    values.json().finish();
+    values.document([&] {
+      values.object<FlightReading>(kFlightMembers, reading, reading.flight.extras.flight);
+    });
   } catch (const NewerVersion& newer) {
     return tl::unexpected(std::vector<Problem>{newerVersion(newer)});
-  } catch (const SyntaxError& error) {
-    values.problems().add(error.offset, syntaxProblem(text, error));
-  } catch (const TooDeep& deep) {
-    values.problems().add(deep.offset, tooDeep(deep));
   }
   if (!values.problems().empty()) return tl::unexpected(values.problems().take());
   reading.flight.keys = KeyList(std::move(reading.keys));

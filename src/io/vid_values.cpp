@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "flight/utf8.hpp"
 #include "flight/validation.hpp"
@@ -12,6 +13,24 @@ namespace vides {
 namespace {
 
 constexpr std::string_view kKeptPrefix = "x_";
+
+Problem syntaxProblem(std::string_view text, const SyntaxError& error) {
+  Problem problem;
+  const TextPlace place = placeInText(text, error.offset);
+  problem.line = static_cast<std::int64_t>(place.line);
+  problem.column = static_cast<std::int64_t>(place.column);
+  problem.syntax = error.expected;
+  problem.found = error.found;
+  return problem;
+}
+
+Problem tooDeep(const TooDeep& deep) {
+  Problem problem;
+  problem.code = ProblemCode::kTooDeep;
+  problem.pointer = deep.pointer;
+  problem.expected.max = static_cast<double>(limits::kNesting);
+  return problem;
+}
 
 }  // namespace
 
@@ -41,11 +60,36 @@ std::vector<Problem> ProblemList::take() {
   return list;
 }
 
-VidValues::VidValues(std::string_view text) : json_(text) {
+VidValues::VidValues(std::string_view text) : text_(text), json_(text) {
   twice_ = [this](std::string_view name, std::size_t offset) {
     if (!problems_.wants(offset)) return;
     note(offset, ProblemCode::kDuplicate, json_.pointer() + pointerToken(name), {});
   };
+}
+
+void VidValues::document(const std::function<void()>& read) {
+  try {
+    read();
+    json_.finish();
+  } catch (const SyntaxError& error) {
+    problems_.add(error.offset, syntaxProblem(text_, error));
+  } catch (const TooDeep& deep) {
+    problems_.add(deep.offset, tooDeep(deep));
+  }
+}
+
+void VidValues::members(const std::function<bool(const std::string& name)>& read) {
+  if (!is(JsonReader::Kind::kObject, [] { return expectKind(Expected::kObject); })) return;
+  std::set<std::string> seen;
+  json_.enterObject();
+  while (json_.nextMember()) {
+    const std::string name(json_.name());
+    if (!seen.insert(name).second) {
+      duplicateMember();
+    } else if (!read(name)) {
+      skip();
+    }
+  }
 }
 
 void VidValues::note(std::size_t offset, ProblemCode code, std::string_view pointer,

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,6 +51,10 @@ class VidValues {
   JsonReader& json() { return json_; }
   ProblemList& problems() { return problems_; }
 
+  // The whole document: `read` reads its outermost value. What isn't JSON becomes a problem, and
+  // nothing after it is read; what else `read` throws passes through.
+  void document(const std::function<void()>& read);
+
   // Each reads the value that comes next. Where it isn't as wanted, the problem is noted and false
   // returned; `into` then keeps its value (of arrays: those elements that are wrong do).
   bool number(const Range& range, double& into);
@@ -89,6 +94,10 @@ class VidValues {
             std::string found = {});
   void skip() { json_.skip(nullptr); }
 
+  // An object whose members have no table: read(name) reads one value, or returns false without
+  // having read where it doesn't know the name. Such members are passed over.
+  void members(const std::function<bool(const std::string& name)>& read);
+
  private:
   // Members that no table knows: their text, and where their names are remembered.
   struct Unknown {
@@ -112,6 +121,7 @@ class VidValues {
   void missingMember(std::string_view name, Expectation expected);
   void endObject(Unknown& unknown, Extra& extra);
 
+  std::string_view text_;
   JsonReader json_;
   ProblemList problems_;
   JsonReader::Twice twice_;

@@ -8,22 +8,11 @@
 #include <vector>
 
 #include "edit/command.hpp"
+#include "edit/layout.hpp"
 #include "math/view_projection.hpp"
 #include "panels/ui.hpp"
 
 namespace vides {
-
-// Where the columns end, in pixels at content scale 1; kept in the setup.
-struct Layout {
-  float left = 292.0f;
-  float right = 264.0f;
-  float timeline = 150.0f;
-  bool leftShown = true;
-  bool rightShown = true;
-  bool timelineShown = true;
-  bool bare = false;  // nothing but the viewport's picture
-  bool operator==(const Layout&) const = default;
-};
 
 struct Actions {
   struct Step {

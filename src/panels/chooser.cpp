@@ -19,15 +19,51 @@ namespace fs = std::filesystem;
 using Mode = ChooserMemory::Mode;
 
 constexpr float kRow = 24.0f;
-constexpr std::array<std::string_view, 1> kFlights = {".vid"};
-constexpr std::array<std::string_view, 1> kScenes = {".obj"};
+
+// What can be chosen, and what happens to it.
+struct Kind {
+  std::string_view window;
+  const char* command;
+  const char* heading;
+  const char* verb;
+  std::array<std::string_view, 1> endings;
+  bool saves = false;     // a new name may be given; an existing one only after the question
+  bool endsIt = true;     // an ending that was left out is put there
+  const char* name = "";  // to begin with
+};
+constexpr Kind kKinds[] = {
+    {"chooser-open", "open", "chooser.heading.open", "chooser.open", {".vid"}},
+    {"chooser-save", "save-as", "chooser.heading.save", "answer.save", {".vid"}, true},
+    {"chooser-import",
+     "import-scene",
+     "chooser.heading.import",
+     "chooser.import",
+     {".obj"},
+     false,
+     false},
+    {"chooser-setup", "load-setup", "chooser.heading.setup", "chooser.load", {".json"}},
+    {"chooser-save-setup",
+     "save-setup",
+     "chooser.heading.save-setup",
+     "answer.save",
+     {".json"},
+     true,
+     true,
+     "setup.json"},
+};
+
+const Kind& kindOf(std::string_view window) {
+  const auto found = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                  [&](const Kind& kind) { return kind.window == window; });
+  return found == std::end(kKinds) ? kKinds[0] : *found;
+}
 
 bool pressed(ImGuiKey key, bool repeats = false) {
   return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeats);
 }
 
-bool saves(const ChooserMemory& memory) { return memory.window == "chooser-save"; }
-bool imports(const ChooserMemory& memory) { return memory.window == "chooser-import"; }
+const Kind& kindOf(const ChooserMemory& memory) { return kindOf(memory.window); }
+bool saves(const ChooserMemory& memory) { return kindOf(memory).saves; }
 
 void rename(ChooserMemory& memory, std::string name) {
   memory.name = std::move(name);
@@ -35,8 +71,7 @@ void rename(ChooserMemory& memory, std::string name) {
 }
 
 void enter(ChooserMemory& memory, const fs::path& folder) {
-  const auto read =
-      readFolder(folder, imports(memory) ? std::span<const std::string_view>(kScenes) : kFlights);
+  const auto read = readFolder(folder, kindOf(memory).endings);
   if (!read) {
     memory.trouble = folder.string() + ": " + read.error();
     return;
@@ -59,7 +94,9 @@ void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::str
   memory = ChooserMemory();
   memory.window = window;
   memory.before = session.output();
-  if (saves(memory)) {
+  if (*kindOf(memory).name != '\0') {
+    rename(memory, kindOf(memory).name);
+  } else if (saves(memory)) {
     const std::string file = fs::path(session.path()).filename().string();
     rename(memory, file.empty() ? ui.words("title.untitled") + ".vid" : file);
   }
@@ -69,8 +106,7 @@ void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::str
 
 void choose(ChooserMemory& memory, const fs::path& file, Actions& actions) {
   memory.mode = Mode::kChoose;
-  const char* const command = saves(memory) ? "save-as" : imports(memory) ? "import-scene" : "open";
-  actions.run(Command(command, file.string()));
+  actions.run(Command(kindOf(memory).command, file.string()));
 }
 
 void createFolder(ChooserMemory& memory) {
@@ -99,15 +135,16 @@ void accept(Ui& ui, ChooserMemory& memory, Actions& actions) {
   std::error_code error;
   fs::path file = typedPath(memory.folder, memory.name);
   if (fs::is_directory(file, error)) return enter(memory, file);
+  const std::string_view ending = kindOf(memory).endings.front();
   if (saves(memory)) {
-    if (!file.string().ends_with(".vid")) file += ".vid";
+    if (!file.string().ends_with(ending)) file += ending;
     if (!fs::exists(fs::symlink_status(file, error))) return choose(memory, file, actions);
     memory.mode = Mode::kOverwrite;
     memory.overwrites = file.string();
     return;
   }
-  if (!fs::exists(file, error) && !imports(memory)) {
-    const fs::path ended = file.string() + ".vid";
+  if (!fs::exists(file, error) && kindOf(memory).endsIt) {
+    const fs::path ended = file.string() + std::string(ending);
     if (fs::exists(ended, error)) file = ended;
   }
   if (fs::exists(file, error)) return choose(memory, file, actions);
@@ -270,9 +307,7 @@ void lastRow(Ui& ui, const Rect& row, const Session& session, ChooserMemory& mem
            .mayShorten = true});
   const char* const verb = asks                               ? "answer.overwrite"
                            : memory.mode == Mode::kNameFolder ? "chooser.create"
-                           : saves(memory)                    ? "answer.save"
-                           : imports(memory)                  ? "chooser.import"
-                                                              : "chooser.open";
+                                                              : kindOf(memory).verb;
   const bool named = memory.selected >= 0 || !memory.name.empty();
   if (ui.button("chooser/cancel", cancel, ButtonStyle{})) {
     giveUp(memory, actions);
@@ -283,9 +318,7 @@ void lastRow(Ui& ui, const Rect& row, const Session& session, ChooserMemory& mem
 
 }  // namespace
 
-bool isChooser(std::string_view window) {
-  return window == "chooser-open" || window == "chooser-save" || window == "chooser-import";
-}
+bool isChooser(std::string_view window) { return kindOf(window).window == window; }
 
 void chooser(Ui& ui, const Session& session, ChooserMemory& memory, Actions& actions) {
   const auto& open = session.windows();
@@ -299,10 +332,8 @@ void chooser(Ui& ui, const Session& session, ChooserMemory& memory, Actions& act
   const bool asked = session.question().has_value();
   if (!asked && !memory.questionWas) keys(ui, memory, actions);
   memory.questionWas = asked;
-  const char* const heading = saves(memory)     ? "chooser.heading.save"
-                              : imports(memory) ? "chooser.heading.import"
-                                                : "chooser.heading.open";
-  const WindowFrame frame{"###chooser", 680.0f, 520.0f, ui.words(heading), !asked, true};
+  const WindowFrame frame{"###chooser", 680.0f, 520.0f, ui.words(kindOf(memory).heading),
+                          !asked,       true};
   windowFrame(ui, frame, [&](const Rect& room) {
     Stack rows(ui, room.x, room.y, room.width);
     places(ui, rows.row(kRow), session, memory);

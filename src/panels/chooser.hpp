@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The file chooser: for opening and saving flights and for importing scenes.
+// The file chooser: for flights and setups, opened and saved, and for importing scenes.
 #pragma once
 
 #include <filesystem>

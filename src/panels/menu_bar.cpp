@@ -162,7 +162,7 @@ const std::vector<Menu>& menus() {
         {"menu/settings/english", "language en"},
         {"menu/settings/german", "language de"},
         {"", ""},
-        {"menu/settings/load", "show-window chooser-setup"},
+        {"menu/settings/load", "load-setup"},
         {"menu/settings/save", "save-setup"}}},
       {"menu/help", {{"menu/help/shortcuts", "show-window shortcuts"}}},
   };

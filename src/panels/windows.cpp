@@ -95,7 +95,8 @@ bool canRun(const Session& session, std::string_view commandLine) {
   const std::string_view name = commandLine.substr(0, commandLine.find(' '));
   if (findCommand(name) == nullptr || !session.available(name)) return false;
   // Commands that ask for a file open the chooser.
-  if (commandLine == "open" || commandLine == "import-scene" || commandLine == "save-as") {
+  if (commandLine == "open" || commandLine == "import-scene" || commandLine == "save-as" ||
+      commandLine == "load-setup" || commandLine == "save-setup") {
     return hasWindow("chooser-open");
   }
   if (commandLine == "save" && session.path().empty()) return hasWindow("chooser-save");

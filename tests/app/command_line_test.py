@@ -18,7 +18,7 @@ class Help(ProgramTest):
                        "--view", "iso", "front", "side", "top", "camera", "--frame",
                        "--whole-window"],
         "drive": ["--help", "--version", "FLIGHT", "--script", "--size", "--scale",
-                  "--language"],
+                  "--language", "--setup"],
     }
 
     def test_help_mentions_everything(self):
