@@ -138,7 +138,9 @@ void moveOneKey(benchmark::State& state) {
   Flight flight = longFlight(state.range(0));
   Evaluation evaluation(flight);
   std::mt19937_64 random{13};
-  std::uniform_int_distribution<std::size_t> any{0, flight.keys.size() - 1};
+  // A key that has all its neighbours: near an end there is less to do, which is the case for most
+  // keys of ten and for hardly one of 100,000.
+  std::uniform_int_distribution<std::size_t> any{3, flight.keys.size() - 4};
   std::uniform_real_distribution<double> around{-0.1, 0.1};
   std::vector<std::size_t> keys(4096);
   for (auto& k : keys) k = any(random);
