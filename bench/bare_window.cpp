@@ -12,7 +12,6 @@ int main() {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_SAMPLES, 4);  // as the editor's window
   GLFWwindow* const window = glfwCreateWindow(1280, 800, "bare", nullptr, nullptr);
   if (window == nullptr) return 1;
   glfwMakeContextCurrent(window);

@@ -71,7 +71,8 @@ SessionSeams seamsOf(const EditorOptions& options) {
 Editor::Parts::Parts(const Gl& table, EditorOptions given)
     : gl(table),
       options(std::move(given)),
-      context(ImGui::CreateContext()),
+      fonts(options.fonts.atlas ? std::move(options.fonts) : buildFonts(1.0)),
+      context(ImGui::CreateContext(fonts.atlas.get())),
       session(seamsOf(options)) {
   words = [this](std::string_view key) { return std::string(texts.words(key)); };
   tell = [this](const Text& text) { return texts.tell(text); };
@@ -119,8 +120,9 @@ void Editor::Parts::fitScale(double contentScale) {
   applyStyle(ImGui::GetStyle(), colours, static_cast<float>(scale));
   if (!otherScale) return;
   ImGuiIO& io = ImGui::GetIO();
-  fonts = buildFonts(*io.Fonts, scale);
-  io.FontDefault = fonts.regular;
+  if (fonts.scale != scale) fonts = buildFonts(scale);
+  io.Fonts = fonts.atlas.get();
+  io.FontDefault = fonts.fonts.regular;
   if (auto uploaded = imguiRenderer->uploadFonts(*io.Fonts); !uploaded) fontTrouble = true;
 }
 

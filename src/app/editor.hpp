@@ -17,6 +17,7 @@
 #include "edit/session.hpp"
 #include "input/input_event.hpp"
 #include "panels/actions.hpp"
+#include "panels/fonts.hpp"
 #include "panels/widget_registry.hpp"
 #include "render/failure.hpp"
 #include "render/gl_functions.hpp"
@@ -28,6 +29,7 @@ struct EditorOptions {
   std::function<void(const std::string&)> setClipboard;
   // View changes by key glide in 150 ms; off where a script wants to see them at once.
   bool glide = true;
+  FontSet fonts;  // built ahead, or empty
 };
 
 // What one display frame is made from.

@@ -39,6 +39,7 @@ struct Editor::Parts {
   const Gl& gl;
   EditorOptions options;
   std::string clipboardBuffer;
+  FontSet fonts;  // before the context, which uses them
   ImGuiContext* context;
   Session session;
   std::optional<ImguiRenderer> imguiRenderer;
@@ -46,8 +47,7 @@ struct Editor::Parts {
   SceneCache scenes;
   FlightGraphs graphs;
 
-  Fonts fonts;
-  double scale = 0.0;  // the fonts'; 0 before the first frame
+  double scale = 0.0;  // 0 before the first frame
   bool fontTrouble = false;
   Theme colours;  // the session's, as applied to Dear ImGui
   Texts texts{Language::kEnglish};

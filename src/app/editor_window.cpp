@@ -46,11 +46,11 @@ Rect below(const Rect& rect, float height) {
 }  // namespace
 
 Ui::Setting Editor::Parts::uiSetting() {
-  return {fonts,  colours,
-          words,  tell,
-          parse,  registry,
-          memory, static_cast<float>(scale),
-          time,   session.display().language != Language::kEnglish};
+  return {fonts.fonts, colours,
+          words,       tell,
+          parse,       registry,
+          memory,      static_cast<float>(scale),
+          time,        session.display().language != Language::kEnglish};
 }
 
 ViewportState Editor::Parts::viewportState() const {

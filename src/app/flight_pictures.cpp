@@ -128,7 +128,7 @@ void FlightPictures::camera(const Ui& ui, ImDrawList& list, const Rect& rect,
   const int width = static_cast<int>(rect.width);
   const int height = static_cast<int>(rect.height);
   if (!column_ || column_.width() != width || column_.height() != height) {
-    auto made = Framebuffer::create(*gl_, width, height, 4);
+    auto made = Framebuffer::create(*gl_, width, height, 0);
     if (!made) return;  // no memory for it: the column stays empty
     column_ = std::move(*made);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <limits>
 #include <thread>
 
@@ -102,11 +103,14 @@ int noWindow(const std::string& why, bool flightGiven) {
 }  // namespace
 
 int openEditor(const std::optional<std::string>& flight) {
+  // Opening a window takes a while in which its fonts can be made, for the commonest screens.
+  std::future<FontSet> fonts = std::async(std::launch::async, &buildFonts, 1.0);
   auto host = openWindow({});
   if (!host) return noWindow(host.error(), flight.has_value());
   Host& window = **host;
   window.makeCurrent();
   EditorOptions options;
+  options.fonts = fonts.get();
   options.clipboard = [&window] { return window.clipboard(); };
   options.setClipboard = [&window](const std::string& text) { window.setClipboard(text); };
   auto editor = Editor::create(window.gl(), std::move(options));

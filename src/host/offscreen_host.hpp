@@ -19,7 +19,7 @@ namespace vides {
 struct OffscreenOptions {
   PixelSize size{1280, 800};
   double contentScale = 1.0;
-  int samples = 4;  // a pixel; 0 or 1: no multisampling
+  int samples = 0;  // a pixel; 0 or 1: no multisampling, as the shaders smooth all edges
 };
 
 class OffscreenHost : public Host {

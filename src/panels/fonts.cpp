@@ -102,24 +102,27 @@ Fonts buildPlain(ImFontAtlas& atlas, float scale) {
 
 }  // namespace
 
-Fonts buildFonts(ImFontAtlas& atlas, double contentScale) {
-  const auto scale =
-      static_cast<float>(std::clamp(contentScale, kLeastContentScale, kMostContentScale));
-  atlas.Clear();
+void FontSet::AtlasEnd::operator()(ImFontAtlas* atlas) const { delete atlas; }
+
+FontSet buildFonts(double contentScale) {
+  FontSet result;
+  result.scale = std::clamp(contentScale, kLeastContentScale, kMostContentScale);
+  const auto scale = static_cast<float>(result.scale);
+  result.atlas.reset(new ImFontAtlas);
+  ImFontAtlas& atlas = *result.atlas;
   atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight | ImFontAtlasFlags_NoMouseCursors;
   auto regular = inter("Regular");
   auto semibold = inter("SemiBold");
   if (!regular || !semibold) {
-    const Fonts plain = buildPlain(atlas, scale);
+    result.fonts = buildPlain(atlas, scale);
     atlas.Build();
-    return plain;
+    return result;
   }
-  Fonts result;
   const float text = std::round(kTextHeight * scale);
   const float small = std::round(kSmallHeight * scale);
-  result.regular = addWithEqualDigits(atlas, *regular, text, kTextRanges.data());
-  result.semibold = addWithEqualDigits(atlas, *semibold, text, kTextRanges.data());
-  result.small = addWithEqualDigits(atlas, *regular, small, kInterfaceRanges.data());
+  result.fonts.regular = addWithEqualDigits(atlas, *regular, text, kTextRanges.data());
+  result.fonts.semibold = addWithEqualDigits(atlas, *semibold, text, kTextRanges.data());
+  result.fonts.small = addWithEqualDigits(atlas, *regular, small, kInterfaceRanges.data());
   atlas.Build();
   // The typefaces' bytes are ours and end here; the atlas is built and needs them no more.
   atlas.ClearInputData();

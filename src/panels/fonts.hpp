@@ -6,6 +6,7 @@
 // shown() then writes the ones it lacks in plainer ones.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -17,7 +18,7 @@ namespace vides {
 inline constexpr double kLeastContentScale = 0.75;
 inline constexpr double kMostContentScale = 3.0;
 
-// The fonts of one atlas; valid until the atlas is built again.
+// The fonts of one atlas; valid as long as it is.
 struct Fonts {
   ImFont* regular = nullptr;   // controls and text
   ImFont* semibold = nullptr;  // headings and values
@@ -25,9 +26,19 @@ struct Fonts {
   bool plain = false;          // Inter is missing
 };
 
-// Clears the atlas and fills it for a content scale (clamped into the range above). Between
-// frames only. The pixels are the renderer's to upload.
-Fonts buildFonts(ImFontAtlas& atlas, double contentScale);
+// An atlas and its fonts, for one content scale.
+struct FontSet {
+  struct AtlasEnd {
+    void operator()(ImFontAtlas* atlas) const;
+  };
+  std::unique_ptr<ImFontAtlas, AtlasEnd> atlas;
+  Fonts fonts;
+  double scale = 0.0;
+};
+
+// For a content scale (clamped into the range above). On any thread, as long as there is no context
+// of Dear ImGui's. The pixels are the renderer's to upload.
+FontSet buildFonts(double contentScale);
 
 // The text as the fonts can show it: unchanged with Inter; otherwise « … − and their like become
 // plain ASCII.

@@ -260,7 +260,7 @@ void playhead(Ui& ui, const Rect& ruler, float bottom, const Track& track, const
   const ImU32 ink = ui.colour(ColourRole::kPlayhead);
   const float top = ruler.bottom() - ui.px(19);
   const float half = ui.px(state.hovered || state.held ? 7 : 6);
-  list.AddTriangleFilled({x - half, top}, {x, top + ui.px(8)}, {x + half, top}, ink);
+  list.AddTriangleFilled({x - half, top}, {x + half, top}, {x, top + ui.px(8)}, ink);
   const float width = std::max(1.0f, std::round(1.4f * ui.scale()));
   list.AddRectFilled({x - width / 2, top + ui.px(6)}, {x + width / 2, bottom}, ink);
 }

@@ -122,8 +122,9 @@ void Ui::icon(Icon icon, const Rect& box, ColourRole role) {
   const float y = std::round(box.centreY());
   const float s = px(5);  // half the height
   const float bar = std::max(1.0f, px(2));
+  // Clockwise, as Dear ImGui smooths edges.
   const auto triangle = [&](float from, float to) {
-    list.AddTriangleFilled({from, y - s}, {from, y + s}, {to, y}, ink);
+    list.AddTriangleFilled({from, y - s}, {to, y}, {from, y + s}, ink);
   };
   const auto rectangle = [&](float left, float width) {
     list.AddRectFilled({left, y - s}, {left + width, y + s}, ink);
@@ -143,7 +144,7 @@ void Ui::icon(Icon icon, const Rect& box, ColourRole role) {
       break;
     case Icon::kFirst:
       rectangle(x - px(6), bar);
-      list.AddTriangleFilled({x + px(5), y - s}, {x - px(3), y}, {x + px(5), y + s}, ink);
+      list.AddTriangleFilled({x + px(5), y - s}, {x + px(5), y + s}, {x - px(3), y}, ink);
       break;
     case Icon::kLast:
       triangle(x - px(5), x + px(3));

@@ -26,6 +26,7 @@ using testing::StartsWith;
 
 std::unique_ptr<OffscreenHost> openHost(PixelSize size) {
   EglOptions options;
+  options.samples = 4;
   options.size = size;
   auto host = openEglHost(options);
   EXPECT_TRUE(host) << host.error();
@@ -80,12 +81,14 @@ TEST(EglHost, SizesAtTheEdge) {
   EXPECT_EQ(triangle({16000, 100}).width, 16000);
   EXPECT_FALSE(openHost({0, 0})->beginDrawing());
   EglOptions options;
+  options.samples = 4;
   options.size = {40000, 100};
   EXPECT_THAT(openEglHost(options).error(), AllOf(HasSubstr("40000 × 100"), HasSubstr("at most")));
 }
 
 TEST(EglHost, MissingLibraryIsASentence) {
   EglOptions options;
+  options.samples = 4;
   options.library = "libEGL.so.nowhere";
   EXPECT_THAT(openEglHost(options).error(),
               AllOf(StartsWith("EGL is missing: "), HasSubstr("libEGL.so.nowhere")));

@@ -48,6 +48,7 @@ class GlfwHostTest : public testing::Test {
     WindowOptions options;
     options.size = size;
     options.title = "vides test";
+    options.samples = 4;  // the triangle has no other smooth edges
     auto opened = openGlfwHost(options);
     ASSERT_TRUE(opened) << opened.error();
     host_ = std::move(*opened);

@@ -39,6 +39,7 @@ int drawOffscreen(OffscreenKind kind, PixelSize size, const char* file) {
   leaksAreTold = kind == OffscreenKind::kOsmesa;
   OffscreenOptions options;
   options.size = size;
+  options.samples = 4;
   const auto host = openOffscreen(kind, options);
   if (!host) return refuse(host.error());
   test::drawTriangle(**host);

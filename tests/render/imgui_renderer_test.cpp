@@ -22,7 +22,7 @@ using testing::ElementsAre;
 // A host, a context of ImGui and what draws it.
 class Ui {
  public:
-  explicit Ui(PixelSize size, OffscreenKind kind = OffscreenKind::kOsmesa, int samples = 4)
+  explicit Ui(PixelSize size, OffscreenKind kind = OffscreenKind::kOsmesa, int samples = 0)
       : host_(test::openForTest(size, kind, samples)),
         context_(ImGui::CreateContext()),
         renderer_(ImguiRenderer::create(host_->gl()).value()) {

@@ -12,6 +12,6 @@ namespace vides::test {
 // until the process ends cannot be told apart from a leak of ours.
 std::unique_ptr<OffscreenHost> openForTest(PixelSize size,
                                            OffscreenKind kind = OffscreenKind::kOsmesa,
-                                           int samples = 4);
+                                           int samples = 0);
 
 }  // namespace vides::test
