@@ -12,6 +12,7 @@
 #include <array>
 #include <string_view>
 
+#include "host/current_context.hpp"
 #include "host/library.hpp"
 
 namespace vides {
@@ -25,7 +26,6 @@ struct EglFunctions {
   decltype(&eglChooseConfig) chooseConfig;
   decltype(&eglCreateContext) createContext;
   decltype(&eglDestroyContext) destroyContext;
-  decltype(&eglGetCurrentContext) currentContext;
   decltype(&eglMakeCurrent) makeCurrent;
   decltype(&eglGetError) getError;
 };
@@ -41,7 +41,6 @@ tl::expected<EglFunctions, std::string> loadEgl(const std::string& name) {
       !library->find("eglChooseConfig", egl.chooseConfig) ||
       !library->find("eglCreateContext", egl.createContext) ||
       !library->find("eglDestroyContext", egl.destroyContext) ||
-      !library->find("eglGetCurrentContext", egl.currentContext) ||
       !library->find("eglMakeCurrent", egl.makeCurrent) ||
       !library->find("eglGetError", egl.getError)) {
     return Failure(fmt::format("{} is not EGL 1.4", name));
@@ -71,6 +70,7 @@ class EglHost final : public OffscreenHost {
     makeCurrent();
     release();
     egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    setCurrentContext(nullptr);
     egl_.destroyContext(display_, context_);
   }
 
@@ -81,11 +81,14 @@ class EglHost final : public OffscreenHost {
   }
 
   void makeCurrent() override {
-    if (egl_.currentContext() != context_) bind();
+    if (!isCurrentContext(context_)) bind();
   }
 
  private:
   bool bind() {
+    setCurrentContext(context_);
+    // It does nothing for a context that it takes for current.
+    egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     return egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
   }
 

@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "host/current_context.hpp"
 #include "host/glfw_keys.hpp"
 
 namespace vides {
@@ -93,6 +94,7 @@ class GlfwHost final : public Host {
     for (GLFWcursor* cursor : cursors_) {
       if (cursor != nullptr) glfwDestroyCursor(cursor);
     }
+    if (isCurrentContext(window_)) setCurrentContext(nullptr);
     if (window_ != nullptr) glfwDestroyWindow(window_);
   }
 
@@ -100,7 +102,10 @@ class GlfwHost final : public Host {
 
   const Gl& gl() const override { return gl_; }
   void makeCurrent() override {
-    if (glfwGetCurrentContext() != window_) glfwMakeContextCurrent(window_);
+    if (isCurrentContext(window_)) return;
+    glfwMakeContextCurrent(nullptr);  // it does nothing for a context that it takes for current
+    glfwMakeContextCurrent(window_);
+    setCurrentContext(window_);
   }
   PixelSize size() const override;
   double contentScale() const override;

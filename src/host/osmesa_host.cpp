@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 
+#include "host/current_context.hpp"
 #include "host/library.hpp"
 
 namespace vides {
@@ -21,7 +22,6 @@ struct OsmesaFunctions {
   void (*destroyContext)(OsmesaContext context);
   GLboolean (*makeCurrent)(OsmesaContext context, void* buffer, GLenum type, GLsizei width,
                            GLsizei height);
-  OsmesaContext (*currentContext)();
   GlFunction (*getProcAddress)(const char* name);
 };
 constexpr int kFormat = 0x22;  // OSMESA_FORMAT
@@ -41,6 +41,7 @@ class OsmesaHost final : public OffscreenHost {
     makeCurrent();
     release();
     osmesa_.makeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    setCurrentContext(nullptr);
     osmesa_.destroyContext(context_);
   }
 
@@ -57,11 +58,12 @@ class OsmesaHost final : public OffscreenHost {
   }
 
   void makeCurrent() override {
-    if (osmesa_.currentContext() != context_) bind();
+    if (!isCurrentContext(context_)) bind();
   }
 
  private:
   bool bind() {
+    setCurrentContext(context_);
     return osmesa_.makeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, kUnusedSide,
                                kUnusedSide) == GL_TRUE;
   }
@@ -82,7 +84,6 @@ tl::expected<std::unique_ptr<OffscreenHost>, std::string> openOsmesaHost(
       !library->find("OSMesaCreateContextAttribs", functions.createContextAttributes) ||
       !library->find("OSMesaDestroyContext", functions.destroyContext) ||
       !library->find("OSMesaMakeCurrent", functions.makeCurrent) ||
-      !library->find("OSMesaGetCurrentContext", functions.currentContext) ||
       !library->find("OSMesaGetProcAddress", functions.getProcAddress)) {
     return Failure(fmt::format("{} is not an OSMesa that knows OpenGL 3.3", options.library));
   }

@@ -60,11 +60,20 @@ TEST(EglHost, BaselineIsSensitive) {
 
 TEST(EglHost, BesideOsmesaInOneProcess) {
   const auto egl = openHost({60, 40});
+  EXPECT_TRUE(drawTriangle(*egl));
+  const Picture alone = egl->picture().value();
   OsmesaOptions options;
   options.size = {60, 40};
+  options.samples = 4;
+  // Each must draw with its own context: two more here, so that names of objects differ.
+  const auto plain = openOsmesaHost({{.size = {80, 60}}}).value();
   const auto osmesa = openOsmesaHost(options).value();
   EXPECT_TRUE(drawTriangle(*egl));
+  EXPECT_TRUE(egl->picture().value() == alone);
+  EXPECT_TRUE(drawTriangle(*plain));
   EXPECT_TRUE(drawTriangle(*osmesa));
+  EXPECT_TRUE(drawTriangle(*egl));
+  EXPECT_TRUE(egl->picture().value() == alone);
   EXPECT_TRUE(test::equalsPicture(egl->picture().value(), osmesa->picture().value(),
                                   "egl_beside_osmesa", kTolerance));
 }
