@@ -17,8 +17,8 @@ namespace {
 constexpr double kGlideSeconds = 0.15;
 constexpr double kDisplayFrame = 1.0 / 60.0;
 constexpr double kTooltipDelay = 0.65;
-// Display frames after the last event: hovering and menus take one or two to settle.
-constexpr int kSettlingFrames = 3;
+// Seconds of a walk at most in one display frame: after a hitch the camera must not leap.
+constexpr double kMostWalk = 0.1;
 
 PointerShape pointerShape(ImGuiMouseCursor cursor) {
   switch (cursor) {
@@ -145,9 +145,15 @@ void Editor::Parts::apply(const Actions& actions) {
 
 // View changes by a command glide there.
 bool Editor::Parts::run(const Command& command) {
+  const bool swapped = session.view().swapped;
   const EditorView before = session.view().view;
   const bool done = session.execute(command);
   const EditorView after = session.view().view;
+  if (session.view().swapped != swapped) {
+    // What is under the pointer is another picture now.
+    tools.cancel();
+    cameraTools.stop();
+  }
   if (!options.glide || !session.display().glide || before == after || before.type != after.type) {
     return done;
   }
@@ -183,6 +189,7 @@ bool Editor::Parts::pass(const FrameInput& given) {
   io.DisplaySize = {static_cast<float>(given.size.width), static_cast<float>(given.size.height)};
   ImGui::NewFrame();
   registry.beginFrame();
+  pictures->begin();
   graphs.follow(session.evaluation());
   Actions actions;
   Ui ui(uiSetting());
@@ -212,6 +219,8 @@ FrameOutcome Editor::frame(const FrameInput& given) {
   }
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = static_cast<float>(std::max(1e-4, given.time - p.time));
+  // Walking goes on from the last display frame, if the camera walked in it.
+  p.cameraTools.advance(std::clamp(given.time - p.time, 0.0, kMostWalk));
   p.time = std::max(p.time, given.time);
   p.input.add(given.events);
   if (!given.events.empty()) p.settling = kSettlingFrames;
@@ -219,10 +228,10 @@ FrameOutcome Editor::frame(const FrameInput& given) {
   p.session.advance(p.time);
   p.stepGlide();
   if (given.size.empty()) {
-    while (p.input.waiting()) p.input.feed(io, [&](const InputEvent& e) { p.notice(e); });
+    while (p.input.waiting()) p.input.feed(io, [&](const InputEvent& e) { return p.notice(e); });
     return p.outcome();
   }
-  p.input.feed(io, [&](const InputEvent& e) { p.notice(e); });
+  p.input.feed(io, [&](const InputEvent& e) { return p.notice(e); });
   // What a panel asked for is on screen in the same display frame.
   if (p.pass(given)) {
     io.DeltaTime = 1e-4f;
@@ -253,7 +262,7 @@ FrameOutcome Editor::Parts::outcome() {
     result.nextFrameIn = std::min(result.nextFrameIn.value_or(seconds), std::max(0.0, seconds));
   };
   if (input.waiting()) want(0.0);
-  if (settling > 0 || glide || graphs.measuring()) want(kDisplayFrame);
+  if (settling > 0 || glide || graphs.measuring() || cameraTools.walking()) want(kDisplayFrame);
   if (const auto due = session.playback().nextFrameAt(session.flight().frameRate)) {
     want(*due - time);
   }
@@ -275,7 +284,7 @@ double Editor::contentScale() const { return parts_->scale; }
 Session& Editor::session() { return parts_->session; }
 const Session& Editor::session() const { return parts_->session; }
 const WidgetRegistry& Editor::widgets() const { return parts_->registry; }
-Rect Editor::viewport() const { return parts_->pictures->viewportRect(); }
+Rect Editor::viewport() const { return parts_->pictures->flightRect(); }
 Layout Editor::layout() const { return parts_->session.layout(); }
 void Editor::setLayout(const Layout& layout) { parts_->session.setLayout(layout); }
 std::int64_t Editor::framesDrawn() const { return parts_->framesDrawn; }

@@ -4,6 +4,7 @@
 
 #include "app/editor_parts.hpp"
 #include "edit/shortcuts.hpp"
+#include "scene/camera_scene.hpp"
 
 namespace vides {
 namespace {
@@ -18,30 +19,64 @@ PixelRectangle pixelsOf(const Rect& rect) {
 // The handle or the place on the curve under a pixel, of the list drawn last.
 PointerTarget Editor::Parts::pick(const Vec2& pixel) const {
   constexpr double kCurveReach = 6.0;
-  PointerTarget target;
-  const DrawList* list = pictures->flightList();
-  if (list == nullptr || session.view().swapped) return target;
-  target.handle = handleAt(*list, pixel, session.current().key, scale);
-  target.curve = pictures->flightScene().nearestOnCurve(pixel, kCurveReach * scale);
-  return target;
+  return {pictures->handleUnder(pixel, session.current().key, scale),
+          pictures->curveUnder(pixel, kCurveReach * scale)};
 }
 
 ViewportPlace Editor::Parts::viewportPlace() {
-  return {viewProjection(session.view().view, pixelsOf(pictures->viewportRect())), scale,
+  return {viewProjection(session.view().view, pixelsOf(pictures->flightRect())), scale,
           [this](const Vec2& pixel) { return pick(pixel); }, time};
 }
 
-void Editor::Parts::notice(const InputEvent& event) {
+// What the camera sees, as it is drawn.
+ViewProjection Editor::Parts::filmView() const {
+  const Flight& flight = session.flight();
+  const PixelRectangle picture = letterbox(pixelsOf(pictures->filmRect()), flight.picture);
+  return cameraView(session.camera(), flight.picture, flight.lens, picture);
+}
+
+void Editor::Parts::pointerMoved() {
+  if (cameraTools.active()) {
+    cameraTools.move(pointerAt);
+  } else if (overViewport || tools.active()) {
+    tools.move(viewportPlace(), pointerAt, modifiers);
+  }
+}
+
+// Whether it was meant for one of the pictures: else it scrolls what lies under the pointer.
+bool Editor::Parts::wheelTurned(const WheelTurned& wheel) {
+  if (overCamera) {
+    cameraTools.wheel(wheel.y, modifiers);
+  } else if (overViewport) {
+    glide.reset();
+    tools.wheel(viewportPlace(), pointerAt, wheel.y);
+  } else {
+    return false;
+  }
+  settling = kSettlingFrames;
+  return true;
+}
+
+void Editor::Parts::focusChanged(bool focused) {
+  if (focused) {
+    session.checkDisk();
+    return;
+  }
+  tools.cancel();
+  cameraTools.stop();
+  input.release(ImGui::GetIO());
+}
+
+// True where Dear ImGui must not see it.
+bool Editor::Parts::notice(const InputEvent& event) {
   if (const auto* moved = std::get_if<PointerMoved>(&event)) {
     pointerAt = {moved->x, moved->y};
-    if (overViewport || tools.active()) tools.move(viewportPlace(), pointerAt, modifiers);
+    pointerMoved();
   } else if (const auto* button = std::get_if<ButtonChanged>(&event)) {
     modifiers = button->modifiers;
     buttonChanged(*button);
   } else if (const auto* wheel = std::get_if<WheelTurned>(&event)) {
-    if (!overViewport || session.view().swapped) return;
-    glide.reset();
-    tools.wheel(viewportPlace(), pointerAt, wheel->y);
+    return wheelTurned(*wheel);
   } else if (const auto* key = std::get_if<KeyChanged>(&event)) {
     modifiers = key->modifiers;
     keyChanged(*key);
@@ -52,29 +87,30 @@ void Editor::Parts::notice(const InputEvent& event) {
   } else if (std::holds_alternative<CloseRequested>(event)) {
     run(Command("quit"));
   } else if (const auto* focus = std::get_if<FocusChanged>(&event)) {
-    if (focus->focused) {
-      session.checkDisk();
-    } else {
-      tools.cancel();
-      input.release(ImGui::GetIO());
-    }
+    focusChanged(focus->focused);
   }
+  return false;
 }
 
 void Editor::Parts::buttonChanged(const ButtonChanged& change) {
   if (!change.pressed) {
     if (tools.active()) tools.release(viewportPlace(), change.button, pointerAt, change.modifiers);
+    cameraTools.release(change.button);
     return;
   }
-  if (!overViewport || session.view().swapped || session.question()) return;
-  glide.reset();
-  tools.press(viewportPlace(), change.button, pointerAt, change.modifiers);
+  if (session.question() || tools.active() || cameraTools.active()) return;
+  if (overCamera) {
+    cameraTools.press(filmView(), change.button, pointerAt, change.modifiers);
+  } else if (overViewport) {
+    glide.reset();
+    tools.press(viewportPlace(), change.button, pointerAt, change.modifiers);
+  }
 }
 
 void Editor::Parts::keyChanged(const KeyChanged& change) {
   const bool typing = !memory.editing.empty() || ImGui::GetIO().WantTextInput;
   if (typing && change.pressed) return;
-  if (tools.key(viewportPlace(), change)) return;
+  if (cameraTools.key(change) || tools.key(viewportPlace(), change)) return;
   if (!change.pressed || typing) return;
   // What is being dragged by a slider has Escape for itself.
   if (!memory.dragging.empty()) return;

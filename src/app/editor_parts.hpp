@@ -9,6 +9,7 @@
 #include "app/editor.hpp"
 #include "app/flight_pictures.hpp"
 #include "app/imgui_input.hpp"
+#include "edit/camera_tools.hpp"
 #include "edit/texts.hpp"
 #include "edit/viewport_tools.hpp"
 #include "panels/chooser.hpp"
@@ -21,6 +22,9 @@
 struct ImGuiContext;
 
 namespace vides {
+
+// Display frames after the last event: hovering and menus take one or two to settle.
+inline constexpr int kSettlingFrames = 3;
 
 // Between two views, share 0 to 1, slow at both ends and the shorter way round.
 EditorView glided(const EditorView& from, const EditorView& to, double share);
@@ -61,9 +65,12 @@ struct Editor::Parts {
   TimelineView timeline;
   ChooserMemory chooser;
   ViewportTools tools{session};
+  CameraTools cameraTools{session};
   Vec2 pointerAt{-1.0};
   Modifiers modifiers;
-  bool overViewport = false;  // the pointer, as of the last pass
+  // The pointer, as of the last pass: over the flight as seen from outside, over what the camera
+  // sees; in whatever place each stands.
+  bool overViewport = false;
   bool overCamera = false;
   PointerShape pointer = PointerShape::kArrow;
 
@@ -81,9 +88,13 @@ struct Editor::Parts {
   void stepGlide();
   FrameOutcome outcome();
   // editor_events.cpp
-  void notice(const InputEvent& event);
+  bool notice(const InputEvent& event);
+  void pointerMoved();
+  bool wheelTurned(const WheelTurned& wheel);
+  void focusChanged(bool focused);
   void buttonChanged(const ButtonChanged& change);
   ViewportPlace viewportPlace();
+  ViewProjection filmView() const;
   PointerTarget pick(const Vec2& pixel) const;
   void keyChanged(const KeyChanged& change);
   std::string shortcutOf(std::string_view commandLine) const;
@@ -93,7 +104,12 @@ struct Editor::Parts {
   void arrange(Ui& ui, const Rect& all, Actions& actions);
   void leftColumn(Ui& ui, const Rect& rect, Actions& actions);
   void rightColumn(Ui& ui, const Rect& rect, Actions& actions);
+  void viewportText(Ui& ui, const Rect& rect);
+  void filmText(Ui& ui, const Rect& rect);
+  void freeViewSign(Ui& ui, const Rect& rect);
+  void pictureArea(Ui& ui, const Rect& rect, bool film, bool small);
   void pointerSigns(Ui& ui);
+  void pointerNote(Ui& ui, const std::string& told, const Vec2& at, bool refusal);
   void viewportArea(Ui& ui, const Rect& rect, Actions& actions);
   void splitters(Ui& ui, const Rect& all, const Rect& left, const Rect& right,
                  const Rect& timelineRect, Actions& actions);

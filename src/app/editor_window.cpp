@@ -11,6 +11,7 @@
 #include "panels/right_panels.hpp"
 #include "panels/viewport_panel.hpp"
 #include "panels/windows.hpp"
+#include "scene/camera_scene.hpp"
 
 namespace vides {
 namespace {
@@ -80,40 +81,54 @@ void Editor::Parts::rightColumn(Ui& ui, const Rect& rect, Actions& actions) {
     const float pad = ui.px(8);
     Stack column(ui, room.x + pad, room.y + pad, rect.width - 2 * pad);
     const Rect picture = cameraPanel(ui, column, session, actions);
-    overCamera = ui.area("camera/picture", picture).hovered;
+    const bool film = !session.view().swapped;
+    pictureArea(ui, picture, film, true);
     const SharedScene scene = scenes.of(session.flight(), session.path(), [&](const auto& why) {
       session.say(MessageKind::kError, Text("error.scene", {why}));
     });
     pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, scene, viewportState());
+    if (film && session.freeCamera()) freeViewSign(ui, picture);
     spherePanel(ui, column, session, graphs, actions);
     measuresPanel(ui, column, session, graphs);
     endStack(column, room.y);
   });
 }
 
-// What the pointer can do here, what it can't, and the box that it draws.
+// What the pointer can do here, what it can't, and the box that it draws: over all, since the
+// viewport may be small.
 void Editor::Parts::pointerSigns(Ui& ui) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (const auto box = tools.box()) {
+  const auto box = tools.box();
+  const auto note = tools.note(time);
+  const Text text = note ? note->text : tools.drag() ? Text() : tools.hint();
+  if (!box && text.empty()) return;
+  ImGui::SetNextWindowPos({0.0f, 0.0f});
+  ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+  ImGui::Begin("###signs", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  if (box) {
     const ImVec2 low(static_cast<float>(box->x), static_cast<float>(box->y));
     const ImVec2 high(low.x + static_cast<float>(box->width),
                       low.y + static_cast<float>(box->height));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, ui.colour(ColourRole::kText, 0.08));
     list.AddRect(low, high, ui.colour(ColourRole::kText, 0.7), 0.0f, 0, ui.scale());
   }
-  const auto note = tools.note(time);
-  const Text text = note ? note->text : tools.drag() ? Text() : tools.hint();
-  if (text.empty()) return;
-  const std::string hint = ui.tell(text);
-  const Vec2 at = note ? note->pixel : pointerAt;
-  const float width = ui.textWidth(hint) + ui.px(16);
+  if (!text.empty())
+    pointerNote(ui, ui.tell(text), note ? note->pixel : pointerAt, note.has_value());
+  ImGui::End();
+}
+
+void Editor::Parts::pointerNote(Ui& ui, const std::string& told, const Vec2& at, bool refusal) {
+  const float width = ui.textWidth(told) + ui.px(16);
   const float room = ImGui::GetIO().DisplaySize.x - width - ui.px(4);
   const Rect box{
       std::round(std::clamp(static_cast<float>(at.x) + ui.px(16), 0.0f, std::max(0.0f, room))),
       std::round(static_cast<float>(at.y) + ui.px(14)), width, ui.px(24)};
   ui.fill(box, ColourRole::kPanel, 4.0f, 0.94);
-  ui.text({box.x + ui.px(8), box.y, width - ui.px(16), box.height}, hint,
-          {.colour = note ? ColourRole::kError : ColourRole::kTextSecondary});
+  ui.text({box.x + ui.px(8), box.y, width - ui.px(16), box.height}, told,
+          {.colour = refusal ? ColourRole::kError : ColourRole::kTextSecondary});
 }
 
 void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
@@ -123,23 +138,57 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
     });
     pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, scene, viewportState());
     if (session.layout().bare) return;
-    const EditorView& view = session.view().view;
-    const bool perspective = view.type == ProjectionType::Perspective;
-    const std::string name = ui.words(perspective ? "view/perspective" : "view/parallel");
-    const std::string label =
-        name + " \u00b7 " + ui.words("view/turn_short") + " " + ui.number(view.turn, 0) +
-        "\u00b0 \u00b7 " + ui.words("view/tilt_short") + " " + ui.number(view.tilt, 0) + "\u00b0";
-    const float width = std::min(ui.textWidth(label), rect.width - ui.px(28));
-    if (session.display().sliders) {
+    const bool film = session.view().swapped;
+    if (!film && session.display().sliders) {
       if (const auto next = viewportSliders(ui, rect, session)) actions.view = next;
     }
-    pointerSigns(ui);
-    if (rect.width > ui.px(500)) {
-      ui.text({rect.x + ui.px(14), rect.y + ui.px(10), width, ui.px(20)}, label,
-              {.colour = ColourRole::kTextSecondary, .mayShorten = true});
-    }
-    overViewport = ui.area("view/picture", rect).hovered;
+    film ? filmText(ui, rect) : viewportText(ui, rect);
+    pictureArea(ui, rect, film, false);
   });
+}
+
+// Whichever picture stands here has the pointer. Small ones tell what it does to them.
+void Editor::Parts::pictureArea(Ui& ui, const Rect& rect, bool film, bool small) {
+  const auto area = ui.area(film ? "camera/picture" : "view/picture", rect, {}, small);
+  (film ? overCamera : overViewport) = area.hovered;
+}
+
+// In the viewport's upper left corner: which view it is.
+void Editor::Parts::viewportText(Ui& ui, const Rect& rect) {
+  if (rect.width <= ui.px(500)) return;
+  const EditorView& view = session.view().view;
+  const bool perspective = view.type == ProjectionType::Perspective;
+  const std::string name = ui.words(perspective ? "view/perspective" : "view/parallel");
+  const std::string label = name + " \u00b7 " + ui.words("view/turn_short") + " " +
+                            ui.number(view.turn, 0) + "\u00b0 \u00b7 " +
+                            ui.words("view/tilt_short") + " " + ui.number(view.tilt, 0) + "\u00b0";
+  const float width = std::min(ui.textWidth(label), rect.width - ui.px(28));
+  ui.text({rect.x + ui.px(14), rect.y + ui.px(10), width, ui.px(20)}, label,
+          {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+}
+
+// The same for what the camera sees, where it has the viewport's place.
+void Editor::Parts::filmText(Ui& ui, const Rect& rect) {
+  ui.text({rect.x + ui.px(14), rect.y + ui.px(10), rect.width - ui.px(28), ui.px(20)},
+          ui.words("panel/camera") + " \u00b7 " + cameraCaption(ui, session),
+          {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+  if (session.freeCamera()) freeViewSign(ui, rect);
+}
+
+// A free view has a frame and a sign in the picture's corner.
+void Editor::Parts::freeViewSign(Ui& ui, const Rect& rect) {
+  const PixelRectangle room{static_cast<double>(rect.x), static_cast<double>(rect.y),
+                            static_cast<double>(rect.width), static_cast<double>(rect.height)};
+  const PixelRectangle inner = letterbox(room, session.flight().picture);
+  const Rect picture{static_cast<float>(inner.x), static_cast<float>(inner.y),
+                     static_cast<float>(inner.width), static_cast<float>(inner.height)};
+  ui.outline(picture, ColourRole::kText, 0.0f);
+  const std::string label = ui.words("camera/free");
+  const float width = ui.textWidth(label, Weight::kSemibold) + ui.px(12);
+  const Rect sign{picture.x, picture.y, std::min(width, picture.width), ui.px(20)};
+  ui.fill(sign, ColourRole::kText);
+  ui.text(sign, label,
+          {.colour = ColourRole::kWindow, .weight = Weight::kSemibold, .align = Align::kCentre});
 }
 
 void Editor::Parts::splitters(Ui& ui, const Rect& all, const Rect& left, const Rect& right,
@@ -194,7 +243,9 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
     arrange(ui, below({0.0f, 0.0f, size.x, size.y}, menu), actions);
   }
   ImGui::End();
-  if (!session.layout().bare) windows(ui, session, texts, chooser, actions);
+  if (session.layout().bare) return;
+  pointerSigns(ui);
+  windows(ui, session, texts, chooser, actions);
 }
 
 void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {

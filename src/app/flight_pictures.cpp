@@ -82,11 +82,31 @@ tl::expected<std::unique_ptr<FlightPictures>, std::string> FlightPictures::creat
   return std::unique_ptr<FlightPictures>(new FlightPictures(gl, std::move(*renderer)));
 }
 
-const DrawList& FlightPictures::make(bool film, const Ui& ui, const Rect& rect,
+void FlightPictures::begin() {
+  flightRect_ = filmRect_ = {};
+  flightList_ = viewportList_ = columnList_ = nullptr;
+}
+
+std::optional<HandleId> FlightPictures::handleUnder(const Vec2& pixel, std::size_t currentKey,
+                                                    double contentScale) const {
+  if (flightList_ == nullptr) return std::nullopt;
+  return handleAt(*flightList_, pixel - flightCorner_, currentKey, contentScale);
+}
+
+std::optional<CurveHit> FlightPictures::curveUnder(const Vec2& pixel, double reach) const {
+  if (flightList_ == nullptr) return std::nullopt;
+  return flightScene_.nearestOnCurve(pixel - flightCorner_, reach);
+}
+
+const DrawList& FlightPictures::make(bool film, const Ui& ui, const Rect& rect, const Vec2& corner,
                                      const Session& session, const SharedScene& scene,
                                      const ViewportState& state) {
   const Theme& theme = ui.theme();
+  const Rect inWindow{rect.x + static_cast<float>(corner.x), rect.y + static_cast<float>(corner.y),
+                      rect.width, rect.height};
+  (film ? filmRect_ : flightRect_) = inWindow;
   if (film) return filmScene_.build(cameraInput(session, scene, rect, theme, ui.scale()));
+  flightCorner_ = corner;
   ViewportInput input = viewportInput(ui, session, scene, rect, theme);
   input.state = state;
   flightList_ = &flightScene_.build(input);
@@ -110,10 +130,8 @@ void FlightPictures::texts(const Ui& ui, ImDrawList& list, const DrawList& pictu
 void FlightPictures::viewport(const Ui& ui, ImDrawList& list, const Rect& rect,
                               const Session& session, const SharedScene& scene,
                               const ViewportState& state) {
-  viewport_ = rect;
-  viewportList_ = nullptr;
   if (rect.empty()) return;
-  viewportList_ = &make(session.view().swapped, ui, rect, session, scene, state);
+  viewportList_ = &make(session.view().swapped, ui, rect, Vec2(0.0), session, scene, state);
   list.AddCallback(&drawViewport, this);
   list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
   texts(ui, list, *viewportList_, rect, Vec2(0.0));
@@ -122,7 +140,6 @@ void FlightPictures::viewport(const Ui& ui, ImDrawList& list, const Rect& rect,
 void FlightPictures::camera(const Ui& ui, ImDrawList& list, const Rect& rect,
                             const Session& session, const SharedScene& scene,
                             const ViewportState& state) {
-  columnList_ = nullptr;
   if (rect.empty()) return;
   const Rect inside{0.0f, 0.0f, rect.width, rect.height};
   const int width = static_cast<int>(rect.width);
@@ -132,11 +149,12 @@ void FlightPictures::camera(const Ui& ui, ImDrawList& list, const Rect& rect,
     if (!made) return;  // no memory for it: the column stays empty
     column_ = std::move(*made);
   }
-  columnList_ = &make(!session.view().swapped, ui, inside, session, scene, state);
+  const Vec2 corner(rect.x, rect.y);
+  columnList_ = &make(!session.view().swapped, ui, inside, corner, session, scene, state);
   // OpenGL's pictures begin at the bottom.
   list.AddImage(imguiTexture(column_.texture().id()), {rect.x, rect.y},
                 {rect.right(), rect.bottom()}, {0.0f, 1.0f}, {1.0f, 0.0f});
-  texts(ui, list, *columnList_, rect, Vec2(rect.x, rect.y));
+  texts(ui, list, *columnList_, rect, corner);
 }
 
 void FlightPictures::prepare(GLuint target, int width, int height) {

@@ -47,15 +47,24 @@ class FlightPictures {
   // Before the lists are drawn: makes the picture in the column, then binds the target again.
   void prepare(GLuint target, int width, int height);
 
-  // As drawn last; null before. Of the picture that shows the flight from outside.
-  const DrawList* flightList() const { return flightList_; }
-  const ViewportScene& flightScene() const { return flightScene_; }
-  const Rect& viewportRect() const { return viewport_; }
+  // At the beginning of a display frame: neither picture is on screen so far.
+  void begin();
+
+  // Where the flight is seen from outside, and where what the camera sees, in the window; empty
+  // where they are not on screen.
+  const Rect& flightRect() const { return flightRect_; }
+  const Rect& filmRect() const { return filmRect_; }
+  // What lies under a pixel of the window, of the flight as drawn last.
+  std::optional<HandleId> handleUnder(const Vec2& pixel, std::size_t currentKey,
+                                      double contentScale) const;
+  std::optional<CurveHit> curveUnder(const Vec2& pixel, double reach) const;
 
  private:
   FlightPictures(const Gl& gl, SceneRenderer renderer) : gl_(&gl), renderer_(std::move(renderer)) {}
-  const DrawList& make(bool film, const Ui& ui, const Rect& rect, const Session& session,
-                       const SharedScene& scene, const ViewportState& state);
+  // Its pixels count from `corner` in the window.
+  const DrawList& make(bool film, const Ui& ui, const Rect& rect, const Vec2& corner,
+                       const Session& session, const SharedScene& scene,
+                       const ViewportState& state);
   void texts(const Ui& ui, ImDrawList& list, const DrawList& picture, const Rect& clip,
              const Vec2& offset) const;
   static void drawViewport(const ImDrawList* list, const ImDrawCmd* command);
@@ -68,7 +77,8 @@ class FlightPictures {
   const DrawList* viewportList_ = nullptr;
   const DrawList* columnList_ = nullptr;
   Framebuffer column_;  // the picture in the column, drawn apart: the column clips it
-  Rect viewport_;
+  Rect flightRect_, filmRect_;
+  Vec2 flightCorner_{0.0};  // of its list's pixels, in the window
   int width_ = 0, height_ = 0;
 };
 

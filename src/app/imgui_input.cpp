@@ -97,7 +97,7 @@ void ImguiInput::add(const std::vector<InputEvent>& events) {
   events_.insert(events_.end(), events.begin(), events.end());
 }
 
-void ImguiInput::feed(ImGuiIO& io, const std::function<void(const InputEvent&)>& seen) {
+void ImguiInput::feed(ImGuiIO& io, const std::function<bool(const InputEvent&)>& seen) {
   bool moved = false;
   while (!events_.empty()) {
     // What is pressed is found under the pointer: it has to have got there before.
@@ -106,8 +106,7 @@ void ImguiInput::feed(ImGuiIO& io, const std::function<void(const InputEvent&)>&
     moved = moves;
     const InputEvent event = std::move(events_.front());
     events_.pop_front();
-    seen(event);
-    if (apply(io, event)) return;
+    if (seen(event) || apply(io, event)) return;
   }
 }
 

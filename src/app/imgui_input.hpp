@@ -22,8 +22,9 @@ class ImguiInput {
 
   void add(const std::vector<InputEvent>& events);
   bool waiting() const { return !events_.empty(); }
-  // The next portion goes into `io`; each of its events is given to `seen` first.
-  void feed(ImGuiIO& io, const std::function<void(const InputEvent&)>& seen);
+  // The next portion goes into `io`; each of its events is given to `seen` first, and goes no
+  // further where that is true.
+  void feed(ImGuiIO& io, const std::function<bool(const InputEvent&)>& seen);
   // Nothing is pressed any more: the window lost its focus, or its picture.
   void release(ImGuiIO& io);
 

@@ -18,13 +18,17 @@ constexpr double kFarthestAim = 1e5;
 // A place that differs by less is the same.
 constexpr double kSamePlace = 1e-9;
 
+// What rounding made of a 0.
+double withoutNoise(double value) { return std::abs(value) < 1e-12 ? 0.0 : value; }
+
 // Aim, roll and zoom of the camera, which stands on the key.
 void lookAs(const Camera& camera, const Key& key, double distance, Orientation& o) {
   const double reach = std::clamp(distance, kNearestAim, kFarthestAim);
   setAimPoint(key, o, key.position + reach * camera.viewPlaneNormal);
+  for (int i = 0; i < 3; ++i) o.aim[i] = withoutNoise(o.aim[i]);
   // The roll belongs to the VPN that the rounded aim gives: near the poles they mustn't differ.
   const Vec3 vpn = glm::normalize(aimOffset(key, o));
-  o.roll = yawPitchRollOf(vpn, camera.viewUpVector).roll * 180.0 / std::numbers::pi;
+  o.roll = withoutNoise(yawPitchRollOf(vpn, camera.viewUpVector).roll * 180.0 / std::numbers::pi);
   o.zoom = camera.zoom;
 }
 

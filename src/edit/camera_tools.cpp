@@ -36,6 +36,7 @@ void CameraTools::fly(const Camera& camera) {
   command.add(camera.viewUpVector);
   command.add(camera.zoom);
   session_.execute(command);
+  if (press_) press_->flown = true;
 }
 
 double CameraTools::reach() const {
@@ -47,7 +48,8 @@ void CameraTools::press(const ViewProjection& view, PointerButton button, const 
                         const Modifiers& modifiers) {
   if (press_) return;
   const bool rolls = button == PointerButton::kLeft && modifiers.shift;
-  press_ = Press{button, rolls, pixel, false, view, session_.camera(), session_.freeCamera()};
+  press_ =
+      Press{button, rolls, pixel, false, false, view, session_.camera(), session_.freeCamera()};
 }
 
 void CameraTools::move(const Vec2& pixel) {
@@ -71,9 +73,7 @@ void CameraTools::move(const Vec2& pixel) {
 }
 
 void CameraTools::release(PointerButton button) {
-  if (!press_ || press_->button != button) return;
-  press_.reset();
-  held_.fill(false);
+  if (press_ && press_->button == button) stop();
 }
 
 void CameraTools::wheel(double steps, const Modifiers& modifiers) {
@@ -86,15 +86,22 @@ void CameraTools::wheel(double steps, const Modifiers& modifiers) {
     const double ahead = reach() * (1.0 - std::pow(1.0 - kDollyShare, steps));
     fly(movedCamera(camera, 0.0, 0.0, ahead));
   }
+  if (!press_) return;
+  // A turn goes on from here.
+  press_->camera.viewReferencePoint = session_.camera().viewReferencePoint;
+  press_->camera.zoom = session_.camera().zoom;
 }
 
 bool CameraTools::key(const KeyChanged& event) {
   const std::optional<std::size_t> walk = walkKey(event.key);
+  const Modifiers& held = event.modifiers;
   if (event.pressed && event.key == KeyboardKey::kEscape && press_) {
     cancel();
     return true;
   }
   if (!walk || !press_ || press_->button != PointerButton::kRight) return false;
+  // Ctrl + S saves, here as elsewhere.
+  if (event.pressed && (held.control || held.alt || held.super)) return false;
   held_[*walk] = event.pressed;
   return true;
 }
@@ -117,13 +124,17 @@ void CameraTools::advance(double seconds) {
 }
 
 void CameraTools::cancel() {
-  if (press_ && press_->dragging) {
+  if (press_ && press_->flown) {
     if (press_->before) {
       fly(*press_->before);
     } else if (session_.freeCamera()) {
       session_.execute(Command("leave-view"));
     }
   }
+  stop();
+}
+
+void CameraTools::stop() {
   press_.reset();
   held_.fill(false);
 }

@@ -34,6 +34,8 @@ class CameraTools {
   void advance(double seconds);
   // Puts the camera back to where the drag began.
   void cancel();
+  // Ends the drag where it is: the window lost the focus, or the picture its place.
+  void stop();
 
   bool active() const { return press_.has_value(); }
   // Whether advance() would move the camera: another display frame is wanted.
@@ -45,6 +47,7 @@ class CameraTools {
     bool rolls = false;
     Vec2 start{0.0};
     bool dragging = false;
+    bool flown = false;  // dragged, walked or dollied since the press
     ViewProjection view;
     Camera camera;
     std::optional<Camera> before;  // the free camera at the press

@@ -183,8 +183,8 @@ void addViewCommands(Table& t) {
 }
 
 void addCameraCommands(Table& t) {
-  addExclusive(t, "use-view", {}, Acts::useView);
-  addExclusive(t, "new-key-from-view", {}, Acts::newKeyFromView);
+  addExclusive(t, "use-view", {}, Acts::useView, hasFreeCamera);
+  addExclusive(t, "new-key-from-view", {}, Acts::newKeyFromView, hasFreeCamera);
   addAct(t, "leave-view", {}, Acts::leaveView, hasFreeCamera);
   addAct(t, "set-free-view",
          {number("X"), number("Y"), number("Z"), number("VPN_X"), number("VPN_Y"), number("VPN_Z"),

@@ -9,30 +9,48 @@
 #include "panels/right_panels.hpp"
 
 namespace vides {
+namespace {
+
+constexpr float kRow = 22.0f;
+
+}  // namespace
+
+std::string cameraCaption(const Ui& ui, const Session& session) {
+  if (const auto& free = session.freeCamera()) {
+    return ui.words("camera/zoom") + " " + ui.number(free->zoom, 1);
+  }
+  return fmt::format("{} {}", ui.words("frame"), session.frame());
+}
 
 Rect cameraPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) {
   Rect picture;
   const float top = column.y();
-  panel(ui, column, session.view().swapped ? "panel/viewport" : "panel/camera", [&](Stack& rows) {
+  const bool film = !session.view().swapped;
+  const Display& display = session.display();
+  panel(ui, column, film ? "panel/camera" : "panel/viewport", [&](Stack& rows) {
     const PictureFormat& format = session.flight().picture;
     // The flight's format, but never higher than wide: the column has other panels, too.
     const double proportion = static_cast<double>(format.height) / format.width;
     const double height = rows.width() * std::clamp(proportion, 0.2, 0.75);
     picture = rows.row(static_cast<float>(std::round(height / ui.scale())));
     ui.fill(picture, ColourRole::kPicture);
-    if (!session.freeCamera()) return;
-    rows.gap(6);
-    const auto row = split(ui, rows.row(22), 2);
-    commandButton(ui, "camera/use", row[0], "use-view", session, actions);
+    rows.gap(8);
+    auto row = split(ui, rows.row(kRow), 2);
+    commandButton(ui, "camera/use_view", row[0], "use-view", session, actions);
     commandButton(ui, "camera/new_key", row[1], "new-key-from-view", session, actions);
+    rows.gap(4);
+    row = split(ui, rows.row(kRow), 2);
+    commandButton(ui, "camera/safe_frames", row[0], "show-element safe-frames", session, actions,
+                  {.on = display.safeFrames, .toggle = true});
+    commandButton(ui, "camera/thirds", row[1], "show-element thirds", session, actions,
+                  {.on = display.thirds, .toggle = true});
   });
-  // Right of the heading: which frame, or that the camera was flown away from it.
-  const Rect heading{column.x() + ui.px(8), top + ui.px(4), column.width() - ui.px(16), ui.px(24)};
-  const bool flown = session.freeCamera().has_value();
-  ui.text(
-      heading,
-      flown ? ui.words("camera/free") : fmt::format("{} {}", ui.words("frame"), session.frame()),
-      {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
+  if (film) {
+    const Rect heading{column.x() + ui.px(8), top + ui.px(4), column.width() - ui.px(16),
+                       ui.px(24)};
+    ui.text(heading, cameraCaption(ui, session),
+            {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
+  }
   return picture;
 }
 

@@ -2,6 +2,8 @@
 // The right column: what the camera sees, the orientation sphere, the flight's measures.
 #pragma once
 
+#include <string>
+
 #include "edit/session.hpp"
 #include "panels/actions.hpp"
 #include "panels/flight_graphs.hpp"
@@ -10,7 +12,10 @@
 namespace vides {
 
 // The camera's picture is drawn by somebody else: returns the room for it.
+// Where swapped, it is the room for the viewport.
 Rect cameraPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+// Which frame the camera view shows; of a camera that was flown away from it, how far it is zoomed.
+std::string cameraCaption(const Ui& ui, const Session& session);
 void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs,
                  Actions& actions);
 void measuresPanel(Ui& ui, Stack& column, const Session& session, const FlightGraphs& graphs);

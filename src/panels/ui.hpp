@@ -153,7 +153,8 @@ class Ui {
     bool released = false;
     bool doubleClicked = false;
   };
-  AreaState area(std::string_view id, const Rect& rect, std::string_view value = {});
+  AreaState area(std::string_view id, const Rect& rect, std::string_view value = {},
+                 bool tips = true);
 
   // Tells the registry of a text that takes effect while it is typed.
   void entry(std::string_view id, const Rect& rect, std::string_view label, std::string_view value);

@@ -274,7 +274,7 @@ std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, dou
   return change;
 }
 
-Ui::AreaState Ui::area(std::string_view id, const Rect& rect, std::string_view value) {
+Ui::AreaState Ui::area(std::string_view id, const Rect& rect, std::string_view value, bool tips) {
   registerWidget(id, words(id), WidgetKind::kArea, rect, true, value);
   const Press state = press(id, rect, WidgetKind::kArea, true);
   AreaState result;
@@ -283,7 +283,7 @@ Ui::AreaState Ui::area(std::string_view id, const Rect& rect, std::string_view v
   result.pressed = state.held && ImGui::IsMouseClicked(0);
   result.released = state.pressed;
   result.doubleClicked = state.hovered && ImGui::IsMouseDoubleClicked(0);
-  tooltip(id, state, {});
+  if (tips) tooltip(id, state, {});
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scene/cube_part.hpp"
+#include "scene/floor_part.hpp"
 #include "scene/geometry_slot.hpp"
 
 namespace vides {
@@ -37,6 +38,7 @@ void addThirds(std::vector<GeometryPoint>& points, const PixelRectangle& r) {
 struct CameraScene::Parts {
   DrawList list;
   CubePart cube;
+  FloorPart floor;
   ScenePart scene;
   GeometrySlot guides;
 };
@@ -76,7 +78,10 @@ const DrawList& CameraScene::build(const CameraInput& input) {
   list.items.clear();
 
   const bool noScene = !input.scene || input.scene->empty();
-  if (input.cube.value_or(noScene)) p.cube.add(list, input.theme, input.contentScale);
+  if (input.surroundings.value_or(noScene)) {
+    p.floor.add(list, input.theme, input.contentScale);
+    p.cube.add(list, input.theme, input.contentScale);
+  }
   p.scene.add(list, input.scene, input.space, input.sceneAsPoints, input.theme, input.contentScale);
 
   std::vector<GeometryPoint> guides;

@@ -25,8 +25,9 @@ struct CameraInput {
   bool sceneAsPoints = false;
   bool thirds = false;
   bool safeFrames = false;  // action 90 %, title 80 %
-  // The cube's edges; nothing: where there is no scene, so that the camera's motion is seen.
-  std::optional<bool> cube;
+  // The cube's edges, the ground under it and the horizon; nothing: where there is no scene, so
+  // that the camera's motion is seen.
+  std::optional<bool> surroundings;
   Theme theme = vides::theme(ThemeKind::kDark);
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/drive/player.hpp"
+#include "edit/camera_tools.hpp"
 #include "host/open_host.hpp"
 #include "support/picture_check.hpp"
 
@@ -75,6 +76,52 @@ void expectSeesOnePixel(PixelSize size, double scale, const std::string& baselin
 TEST(Editor, TheBaselinesSeeTheCameraMovedByOnePixel) {
   expectSeesOnePixel({1280, 800}, 1.0, "window_1280x800");
   expectSeesOnePixel({1920, 1200}, 2.0, "window_1920x1200_scale_2");
+}
+
+TEST(Editor, AFreeViewInTheViewportsPlaceLooksAsItDid) {
+  Stage one = stage({960, 600}, 1.0);
+  one.player->frame();
+  for (const char* line : {"swap-views", "fly-turn 10 -5", "show-element thirds on"}) {
+    ASSERT_TRUE(one.player->perform(*parseCommand(line))) << line;
+  }
+  one.player->frame();
+  EXPECT_TRUE(test::equalsBaseline(one.player->picture().value(), "window_free_view_960x600"));
+}
+
+// A folded column takes the small picture away: nothing is there to be hit, or drawn.
+TEST(Editor, WithoutItsColumnTheSmallPictureIsNowhere) {
+  Stage one = stage({960, 600}, 1.0);
+  Editor& editor = one.player->editor();
+  ASSERT_TRUE(one.player->perform(Command("swap-views")));
+  EXPECT_FALSE(editor.viewport().empty());
+  Layout layout = editor.layout();
+  layout.rightShown = false;
+  editor.setLayout(layout);
+  one.player->frame();
+  EXPECT_TRUE(editor.viewport().empty());
+  EXPECT_EQ(editor.widgets().find("view/picture"), nullptr);
+  EXPECT_NE(editor.widgets().find("camera/picture"), nullptr);
+  ASSERT_TRUE(one.player->perform(Command("swap-views")));
+  EXPECT_FALSE(editor.viewport().empty());
+}
+
+TEST(Editor, WalkingAsksForDisplayFrames) {
+  Stage one = stage({1280, 800}, 1.0);
+  Player& player = *one.player;
+  player.frame();
+  const Rect at = player.editor().widgets().find("camera/picture")->rect;
+  player.move(static_cast<double>(at.centreX()), static_cast<double>(at.centreY()));
+  player.button(PointerButton::kRight, true);
+  player.key(KeyboardKey::kW, true);
+  const Vec3 before = player.editor().session().camera().viewReferencePoint;
+  for (int i = 0; i < 20; ++i) player.frame();
+  EXPECT_TRUE(player.unfinished());
+  const Vec3 after = player.editor().session().camera().viewReferencePoint;
+  EXPECT_NEAR(glm::length(after - before), 20 / 60.0 * CameraTools::kWalkPerSecond, 1e-9);
+  player.key(KeyboardKey::kW, false);
+  player.button(PointerButton::kRight, false);
+  for (int i = 0; i < 60 && player.wantsFrame(); ++i) player.frame();
+  EXPECT_FALSE(player.wantsFrame());
 }
 
 TEST(Editor, SamePixelsTwice) {

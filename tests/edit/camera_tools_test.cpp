@@ -129,5 +129,49 @@ TEST(CameraTools, EscapeInADragReturnsToWhereItBegan) {
   EXPECT_FALSE(tools.active());
 }
 
+TEST(CameraTools, EscapeTakesBackAWalkWithoutADrag) {
+  Session session;
+  CameraTools tools(session);
+  tools.press(viewOf(session), PointerButton::kRight, {10, 10}, {});
+  tools.key({KeyboardKey::kD, true, false, {}});
+  tools.advance(0.25);
+  ASSERT_TRUE(session.freeCamera());
+  EXPECT_TRUE(tools.key({KeyboardKey::kEscape, true, false, {}}));
+  EXPECT_FALSE(session.freeCamera());
+  EXPECT_FALSE(tools.walking());
+}
+
+TEST(CameraTools, StoppedItStaysWhereItIs) {
+  Session session;
+  CameraTools tools(session);
+  tools.press(viewOf(session), PointerButton::kLeft, {10, 10}, {});
+  tools.move({100, 60});
+  const Camera there = session.camera();
+  tools.stop();
+  EXPECT_FALSE(tools.active());
+  tools.move({200, 60});
+  EXPECT_EQ(session.camera().viewPlaneNormal, there.viewPlaneNormal);
+}
+
+TEST(CameraTools, ATurnGoesOnFromWhereTheWheelLed) {
+  Session session;
+  CameraTools tools(session);
+  tools.press(viewOf(session), PointerButton::kRight, {10, 10}, {});
+  tools.wheel(1, {});
+  const Vec3 place = session.camera().viewReferencePoint;
+  tools.move({100, 60});
+  EXPECT_EQ(session.camera().viewReferencePoint, place);
+}
+
+TEST(CameraTools, ShortcutsWithControlAreNotWalks) {
+  Session session;
+  CameraTools tools(session);
+  tools.press(viewOf(session), PointerButton::kRight, {10, 10}, {});
+  EXPECT_FALSE(tools.key({KeyboardKey::kS, true, false, {false, true, false, false}}));
+  EXPECT_FALSE(tools.walking());
+  EXPECT_TRUE(tools.key({KeyboardKey::kS, true, false, {true, false, false, false}}));
+  EXPECT_TRUE(tools.walking());
+}
+
 }  // namespace
 }  // namespace vides

@@ -351,6 +351,8 @@ TEST(Session, EveryCommandIsTakenBackWhole) {
   const Flight before = session.flight();
   const std::string bytes = writeVid(before);
   for (const std::string& line : lines) {
+    // A view that was used is no free view any more.
+    run(session, "set-free-view 0.1 0.2 0.3 1 0 0 0 1 0 40");
     run(session, line);
     EXPECT_NE(session.flight(), before) << line;
     const std::string after = writeVid(session.flight());

@@ -66,7 +66,7 @@ void forEachFrame(const std::string& flight, const std::function<void(Shown)>& l
   input.lens = sample.flight.lens;
   input.space = sample.flight.space;
   input.scene = sample.scene;
-  input.cube = true;
+  input.surroundings = true;
   input.thirds = input.safeFrames = true;
   input.rectangle = {0, 0, 800, 600};
   // Moments at which the camera sees something: the dolly's first and last look past the scene.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "math/random.hpp"
+#include "scene/floor_part.hpp"
 
 namespace vides {
 namespace {
@@ -59,6 +60,31 @@ TEST(CameraScene, AnyCameraByTheLensFormula) {
   }
 }
 
+// The horizon is where rays to far points of the ground are seen.
+TEST(FloorPart, TheHorizonLiesWhereTheGroundEnds) {
+  for (const Vec3& vpn : {Vec3(0, 0, 1), Vec3(0.3, -0.2, 0.9), Vec3(-0.8, 0.15, -0.4)}) {
+    for (const Vec3& vup : {Vec3(0, 1, 0), Vec3(0.6, 0.7, 0), Vec3(1, 0.01, 0)}) {
+      const ViewProjection view =
+          viewProjection({0.1, 0.2, 0.3}, vpn, vup, 1.0, {10, 20, 400, 300});
+      const auto ends = horizon(view);
+      ASSERT_TRUE(ends);
+      const Vec2 along = glm::normalize((*ends)[1] - (*ends)[0]);
+      for (const double turn : {-0.3, 0.0, 0.3}) {
+        const double azimuth = std::atan2(vpn.x, vpn.z) + turn;
+        const Vec3 far(1e9 * std::sin(azimuth), -1.0, 1e9 * std::cos(azimuth));
+        const Vec2 seen = *view.project(far) - (*ends)[0];
+        EXPECT_NEAR(along.x * seen.y - along.y * seen.x, 0.0, 1e-3);
+      }
+      // Both ends lie outside the rectangle.
+      for (const Vec2& end : *ends) {
+        EXPECT_TRUE(end.x < 10 || end.x > 410 || end.y < 20 || end.y > 320);
+      }
+    }
+  }
+  EXPECT_FALSE(horizon(viewProjection(Vec3(0), {0, -1, 0}, {0, 0, 1}, 1.0, {0, 0, 400, 300})));
+  EXPECT_FALSE(horizon(viewProjection(Vec3(0), {0, 0.9, 0.1}, {0, 1, 0}, 1.0, {0, 0, 400, 300})));
+}
+
 TEST(CameraScene, ShowsSceneCubeAndGuides) {
   CameraInput input;
   input.rectangle = {0, 0, 800, 600};
@@ -69,8 +95,8 @@ TEST(CameraScene, ShowsSceneCubeAndGuides) {
     for (const DrawItem& item : scene.build(input).items) sum += item.geometry->elements();
     return sum;
   };
-  EXPECT_EQ(elements(), 12u);  // the cube stands for a scene that isn't there
-  input.cube = false;
+  EXPECT_GT(elements(), 100u);  // the cube and the ground stand for a scene that isn't there
+  input.surroundings = false;
   EXPECT_EQ(elements(), 0u);
   input.thirds = true;
   EXPECT_EQ(elements(), 4u);

@@ -37,6 +37,19 @@ tl::expected<std::unique_ptr<Player>, std::string> Player::create(OffscreenHost&
 Player::Player(OffscreenHost& host, std::unique_ptr<Editor> editor)
     : host_(host), editor_(std::move(editor)) {}
 
+// A height near y where the wheel scrolls the column: over the pictures it means something else.
+double Player::besidePictures(double x, double y) const {
+  for (const char* id : {"camera/picture", "view/picture"}) {
+    const Widget* const picture = editor_->widgets().find(id);
+    if (picture == nullptr) continue;
+    const Rect& seen = picture->visible;
+    if (seen.contains(static_cast<float>(x), static_cast<float>(y))) {
+      return static_cast<double>(seen.bottom()) + 2.0;
+    }
+  }
+  return y;
+}
+
 void Player::draw() {
   FrameInput input;
   input.events = host_.takeEvents();
@@ -122,8 +135,8 @@ tl::expected<Widget, std::string> Player::bringIntoSight(const std::string& id) 
     // Its column is scrolled with the wheel, the pointer over it.
     const PixelSize size = host_.size();
     const double before = static_cast<double>(middle);
-    move(static_cast<double>(widget->rect.centreX()),
-         std::clamp(before, size.height * 0.3, size.height * 0.5));
+    const double x = static_cast<double>(widget->rect.centreX());
+    move(x, besidePictures(x, std::clamp(before, size.height * 0.3, size.height * 0.5)));
     event(WheelTurned{0.0, middle > static_cast<float>(size.height) * 0.4f ? -1.0 : 1.0});
     frame();
     const Widget* after = editor_->widgets().find(id);

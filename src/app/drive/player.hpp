@@ -52,6 +52,7 @@ class Player {
  private:
   Player(OffscreenHost& host, std::unique_ptr<Editor> editor);
   tl::expected<Widget, std::string> bringIntoSight(const std::string& id);
+  double besidePictures(double x, double y) const;
   void draw();
 
   OffscreenHost& host_;

@@ -41,6 +41,9 @@ ScriptRunner::Result ScriptRunner::must(const vides::Command& command, std::stri
 tl::expected<Vec2, std::string> ScriptRunner::place(Words words) const {
   const Session& session = player_.editor().session();
   const Rect rect = player_.editor().viewport();
+  // A small one may be scrolled out of sight.
+  const Widget* const area = player_.editor().widgets().find("view/picture");
+  const Rect seen = area == nullptr ? rect : area->visible;
   const PixelRectangle pixels{static_cast<double>(rect.x), static_cast<double>(rect.y),
                               static_cast<double>(rect.width), static_cast<double>(rect.height)};
   if (rect.empty()) return Failure("expected a viewport, found none on screen");
@@ -95,7 +98,7 @@ tl::expected<Vec2, std::string> ScriptRunner::place(Words words) const {
           upTip(view, session.evaluation().cameraAt(chosen), player_.editor().contentScale()));
     }
   }
-  const bool inside = at && rect.contains(static_cast<float>(at->x), static_cast<float>(at->y));
+  const bool inside = at && seen.contains(static_cast<float>(at->x), static_cast<float>(at->y));
   if (inside) return *at;
   return Failure(fmt::format("expected {} {} inside the viewport, found it at {}", what, *first,
                              at ? shownPlace(*at) : "no place, behind the viewer"));
