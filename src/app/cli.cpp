@@ -57,9 +57,10 @@ left corner.
   drag BUTTON X1 Y1 X2 Y2 [STEPS]   key NAME   down NAME   up NAME   text "..."
   click ID   set ID VALUE   do COMMAND [ARGS]   drop FILE
   where key I | where aim I J | where up I J | where curve I U
+  where widget ID [U V]
   point $NAME where ...   view VIEW   view TURN TILT SIZE   perspective on|off
   frame_at N   print POINTER   expect POINTER VALUE [TOL]
-  expect_output "TEXT"   expect_title "TEXT"
+  expect_output "TEXT"   expect_title "TEXT"   expect_widget ID "VALUE"
   save FILE   open FILE   undo   redo   screenshot FILE
 The first line that fails ends the run with status 1 and SCRIPT:LINE: what was
 expected and found.)";

@@ -128,11 +128,15 @@ void Editor::Parts::fitScale(double contentScale) {
 
 void Editor::Parts::apply(const Actions& actions) {
   for (const Actions::Step& step : actions.steps) {
+    if (step.window) {
+      session.preview(step.command);
+      continue;
+    }
     if (!step.gesture) {
       run(step.command);
       continue;
     }
-    if (!session.inGesture()) session.begin(Text("step." + step.command.name));
+    if (!session.inDrag()) session.begin(Text("step." + step.command.name));
     session.preview(step.command);
     if (step.phase == Phase::kCommit) session.commit();
     if (step.phase == Phase::kCancel) session.cancel();

@@ -115,7 +115,7 @@ void Editor::Parts::keyChanged(const KeyChanged& change) {
   // What is being dragged by a slider has Escape for itself.
   if (!memory.dragging.empty()) return;
   // The chooser has all keys for itself, unless something is asked.
-  if (!chooser.window.empty() && !session.question()) return;
+  if (!windowsMemory.chooser.window.empty() && !session.question()) return;
   const Shortcut* shortcut = shortcutFor(change.key, change.modifiers, change.repeated);
   if (shortcut != nullptr) run(shortcut->command);
 }

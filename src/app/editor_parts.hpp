@@ -12,7 +12,7 @@
 #include "edit/camera_tools.hpp"
 #include "edit/texts.hpp"
 #include "edit/viewport_tools.hpp"
-#include "panels/chooser.hpp"
+#include "panels/windows.hpp"
 #include "panels/flight_graphs.hpp"
 #include "panels/timeline_panel.hpp"
 #include "panels/ui.hpp"
@@ -63,7 +63,7 @@ struct Editor::Parts {
   UiMemory memory;
   WidgetRegistry registry;
   TimelineView timeline;
-  ChooserMemory chooser;
+  WindowsMemory windowsMemory;
   ViewportTools tools{session};
   CameraTools cameraTools{session};
   Vec2 pointerAt{-1.0};

@@ -245,7 +245,7 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
   ImGui::End();
   if (session.layout().bare) return;
   pointerSigns(ui);
-  windows(ui, session, texts, chooser, actions);
+  windows(ui, session, texts, windowsMemory, actions);
 }
 
 void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {

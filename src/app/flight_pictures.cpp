@@ -48,6 +48,8 @@ ViewportInput viewportInput(const Ui& ui, const Session& session, const SharedSc
   input.text.letterWidth = static_cast<double>(ui.textWidth("n"));
   input.text.lineHeight = static_cast<double>(ui.font(Weight::kRegular)->FontSize);
   input.shown = session.display().shown;
+  // Who shapes the curve sees what the numbers do.
+  input.shown.tangents = input.shown.tangents || session.windowOpen("shape");
   input.theme = theme;
   return input;
 }

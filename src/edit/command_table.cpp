@@ -35,11 +35,12 @@ Argument repeated(Argument argument) {
 }
 Argument onOff() { return optional(choice("on|off|toggle", {"on", "off", "toggle"})); }
 
-bool canUndo(const Session& s) { return s.history().canUndo(); }
-bool canRedo(const Session& s) { return s.history().canRedo(); }
+bool canUndo(const Session& s) { return s.undoName().has_value(); }
+bool canRedo(const Session& s) { return s.redoName().has_value(); }
 bool hasPath(const Session& s) { return !s.path().empty(); }
 bool hasFreeCamera(const Session& s) { return s.freeCamera().has_value(); }
 bool hasQuestion(const Session& s) { return s.question().has_value(); }
+bool hasShapeWindow(const Session& s) { return s.inWindow() && s.windowOpen("shape"); }
 bool hasRecent(const Session& s) { return !s.recentFiles().empty(); }
 
 void addEdit(Table& table, const char* name, std::vector<Argument> arguments, EditFunction run) {
@@ -135,6 +136,17 @@ void addOrientationCommands(Table& t) {
   addEdit(t, "set-duration-frames", {number("FRAMES")}, setDurationFramesEdit);
   addEdit(t, "clear-duration", {}, clearDurationEdit);
   addEdit(t, "set-hold", {number("SECONDS")}, setHoldEdit);
+}
+
+void addShapeCommands(Table& t) {
+  std::vector<std::string> choices{"own"};
+  for (std::size_t i = 0; i < kPresets; ++i) choices.push_back(std::to_string(i));
+  addAct(t, "shape-choose", {choice("PRESET|own", choices)}, Acts::shapeChoose, hasShapeWindow);
+  addAct(t, "shape-set", {choice("PARAMETER", {"tension", "continuity", "bias"}), number("VALUE")},
+         Acts::shapeSet, hasShapeWindow);
+  addAct(t, "shape-show", {}, Acts::shapeShow, hasShapeWindow);
+  addAct(t, "shape-ok", {}, Acts::shapeOk, hasShapeWindow);
+  addAct(t, "shape-cancel", {}, Acts::shapeCancel, hasShapeWindow);
 }
 
 void addFlightCommands(Table& t) {
@@ -240,6 +252,7 @@ Table makeTable() {
   addEditMenu(table);
   addKeyCommands(table);
   addOrientationCommands(table);
+  addShapeCommands(table);
   addFlightCommands(table);
   addPlayheadCommands(table);
   addViewCommands(table);

@@ -23,6 +23,7 @@ constexpr Switch kSwitches[] = {
     {"axes", [](Display& d) { return &d.shown.axes; }},
     {"ghosts", [](Display& d) { return &d.shown.ghosts; }},
     {"playhead", [](Display& d) { return &d.shown.playhead; }},
+    {"tangents", [](Display& d) { return &d.shown.tangents; }},
     {"plane-squares", [](Display& d) { return &d.shown.planeSquares; }},
     {"thirds", [](Display& d) { return &d.thirds; }},
     {"safe-frames", [](Display& d) { return &d.safeFrames; }},

@@ -45,6 +45,7 @@ void Session::reset(Flight flight) {
   history_.clear();
   gesture_.reset();
   window_.reset();
+  std::erase(windows_, "shape");  // what it would go back to is gone
   playback_.stop();
   playback_.goTo(0);
   freeCamera_.reset();
@@ -81,13 +82,9 @@ bool Session::execute(std::string_view line) {
 bool Session::execute(const Command& command) {
   if (auto checked = checkArguments(command); !checked) return refuse(checked.error());
   if (auto why = obstacle(command)) return refuse(std::move(*why));
-  std::optional<Text> window;
-  if (gesture_ && gesture_->window && findCommand(command.name)->exclusive) {
-    window = gesture_->step;
-    commit();
-  }
+  if (inWindow() && findCommand(command.name)->exclusive) interruptWindow();
   const auto done = run(command);
-  if (window && !gesture_) beginWindow(*window);
+  if (!gesture_) endGesture();
   if (done) return true;
   // A failure (of the disk, say) is told as such already.
   if (output_ == OutputLine{MessageKind::kError, done.error()}) return false;
@@ -195,19 +192,40 @@ void Session::updateModified() { modified_ = !(state_.flight == savedFlight_); }
 // --- Gestures ---
 
 void Session::begin(Text step) {
-  if (gesture_ && gesture_->window) {
-    const Text window = gesture_->step;
-    commit();
-    window_ = window;
-  } else if (gesture_) {
-    cancel();
-  }
+  if (inDrag()) cancel();
+  if (inWindow()) interruptWindow();
   gesture_ = Gesture{std::move(step), state_, playback_, false};
 }
 
-void Session::beginWindow(Text step) {
+void Session::beginWindow(std::string stepKey) {
   if (gesture_) cancel();
-  gesture_ = Gesture{std::move(step), state_, playback_, true};
+  gesture_ = Gesture{Text(std::move(stepKey)), state_, playback_, true};
+}
+
+void Session::interruptWindow() {
+  const std::string window = gesture_->step.key;
+  commit();
+  window_ = window;
+}
+
+bool Session::windowChanged() const {
+  return inWindow() && !(state_.flight == gesture_->start.flight);
+}
+
+Text Session::gestureStep() const {
+  if (!gesture_->window) return gesture_->step;
+  const Flight& before = gesture_->start.flight;
+  std::size_t count = 0, key = current().key;
+  for (const auto& change :
+       KeyList::Sequence::changes(before.keys.sequence(), state_.flight.keys.sequence())) {
+    count += change.newLast - change.first;
+    key = change.first;
+  }
+  if (count > 1) return "step.edit-keys";
+  for (std::size_t i = 0; count == 0 && i < kPresets; ++i) {
+    if (before.presets[i] != state_.flight.presets[i]) return Text("step.set-preset-shape", {i});
+  }
+  return Text(gesture_->step.key, {key + 1});
 }
 
 bool Session::preview(Flight flight) {
@@ -231,16 +249,20 @@ bool Session::preview(const Command& command) {
 
 void Session::commit() {
   if (!gesture_) return;
-  if (!(state_.flight == gesture_->start.flight)) pushStep(gesture_->step, gesture_->start);
+  if (!(state_.flight == gesture_->start.flight)) pushStep(gestureStep(), gesture_->start);
   endGesture();
 }
 
 void Session::cancel() {
   if (!gesture_) return;
+  const bool changed = !(state_.flight == gesture_->start.flight);
   const Gesture gesture = std::move(*gesture_);
   gesture_.reset();
-  show(gesture.start.flight, gesture.start.evaluation, gesture.start.marks);
-  playback_ = gesture.playback;
+  // While a window was open the user may have gone elsewhere: that stays where nothing changed.
+  if (changed || !gesture.window) {
+    show(gesture.start.flight, gesture.start.evaluation, gesture.start.marks);
+  }
+  if (!gesture.window) playback_ = gesture.playback;
   output_ = {};
   endGesture();
 }
@@ -248,7 +270,7 @@ void Session::cancel() {
 void Session::endGesture() {
   gesture_.reset();
   if (!window_) return;
-  const Text window = *window_;
+  const std::string window = *window_;
   window_.reset();
   beginWindow(window);
 }
@@ -289,12 +311,14 @@ OutputLine Session::output() const {
 }
 
 std::optional<Text> Session::undoName() const {
+  if (windowChanged()) return Text("menu.undo", {gestureStep()});
   if (!history_.canUndo()) return std::nullopt;
   return Text("menu.undo", {history_.undoStep().name});
 }
 
 std::optional<Text> Session::redoName() const {
-  if (!history_.canRedo()) return std::nullopt;
+  // What a window has changed ends what could be redone.
+  if (windowChanged() || !history_.canRedo()) return std::nullopt;
   return Text("menu.redo", {history_.redoStep().name});
 }
 

@@ -88,9 +88,12 @@ class Session {
   // back.
   void begin(Text step);
   // The same for a window that previews for as long as it is open. Another edit in the meantime
-  // ends the window's step first; the window then goes on from what that edit made.
-  void beginWindow(Text step);
+  // ends the window's step first; the window then goes on from what that edit made. The step is
+  // named after the key that has changed, if it is one.
+  void beginWindow(std::string stepKey);
   bool inGesture() const { return gesture_.has_value(); }
+  bool inDrag() const { return gesture_ && !gesture_->window; }
+  bool inWindow() const { return gesture_ && gesture_->window; }
   const EditState& start() const { return gesture_->start; }
   // False where the flight isn't valid: the last valid preview stays, and the output line tells.
   bool preview(Flight flight);
@@ -154,16 +157,26 @@ class Session {
   // Windows that are open, the top one last: "shape", "flight", "chooser-open", "shortcuts", …
   const std::vector<std::string>& windows() const { return windows_; }
   bool windowOpen(std::string_view name) const;
+  // What the open shape window shows as chosen: a preset, or KeyShape::kOwn.
+  int chosenPreset() const;
+  // Whether the current key tries another shape for its preset, which `shape-show` would apply.
+  bool triesPreset() const;
   bool quitRequested() const { return quit_; }
   bool fullScreen() const { return fullScreen_; }
 
  private:
   friend struct SessionActions;
+  // A preset's new shape is tried at one key, which has it as its own until it is applied.
+  struct PresetTrial {
+    std::size_t key = 0;
+    int preset = 0;
+  };
   struct Gesture {
     Text step;
     EditState start;
     Playback playback;
     bool window = false;
+    std::optional<PresetTrial> trial = {};
   };
 
   bool refuse(Text why);
@@ -180,7 +193,12 @@ class Session {
   void setMarks(const Marks& marks);
   void makeCurrent(const Marks& marks);
   void pushStep(Text name, const EditState& before);
+  // Whether a window previews something that is no step yet.
+  bool windowChanged() const;
+  Text gestureStep() const;
   void updateModified();
+  // Ends a window's gesture, which endGesture() begins again.
+  void interruptWindow();
   // Ends a gesture; a window's gesture that it interrupted begins again.
   void endGesture();
   void reset(Flight flight);
@@ -194,7 +212,7 @@ class Session {
   bool missingOnDisk_ = false;
   bool toldOfDisk_ = false;
   std::optional<Gesture> gesture_;
-  std::optional<Text> window_;  // the step of the window's gesture that a drag interrupts
+  std::optional<std::string> window_;  // the step of the window's gesture that is interrupted
   Playback playback_;
   std::optional<Camera> freeCamera_;
   ViewState view_;

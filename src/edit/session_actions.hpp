@@ -94,6 +94,15 @@ struct SessionActions {
   static Result fullScreen(Session& session, const Arguments& arguments);
   static Result escape(Session& session, const Arguments& arguments);
 
+  // The shape window.
+  static Result shapeChoose(Session& session, const Arguments& arguments);
+  static Result shapeSet(Session& session, const Arguments& arguments);
+  static Result shapeShow(Session& session, const Arguments& arguments);
+  static Result shapeOk(Session& session, const Arguments& arguments);
+  static Result shapeCancel(Session& session, const Arguments& arguments);
+  static void beginShape(Session& session);
+  static void endShape(Session& session);
+
   // Parts of the above, without questions.
   static Result openFile(Session& session, const std::string& path);
   static Result saveFile(Session& session, const std::string& path);

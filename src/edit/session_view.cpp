@@ -249,11 +249,15 @@ Result SessionActions::language(Session& session, const Arguments& arguments) {
 }
 
 void SessionActions::openWindow(Session& session, const std::string& name) {
+  const bool opens = !session.windowOpen(name);
   std::erase(session.windows_, name);
   session.windows_.push_back(name);
+  if (name == "shape" && opens) beginShape(session);
 }
 
 void SessionActions::hideWindow(Session& session, const std::string& name) {
+  // As its Cancel does; its OK has ended the step before.
+  if (name == "shape" && session.windowOpen(name)) endShape(session);
   std::erase(session.windows_, name);
   // Whoever closes the chooser doesn't want to go on with what was to follow the saving.
   if (name == "chooser-save" && !session.question_) session.afterAnswer_.reset();
@@ -287,9 +291,7 @@ Result SessionActions::escape(Session& session, const Arguments&) {
   } else if (session.freeCamera_) {
     session.freeCamera_.reset();
   } else if (!session.windows_.empty()) {
-    const std::string window = session.windows_.back();
-    if (window == "shape") session.cancel();  // as its Cancel does
-    hideWindow(session, window);
+    hideWindow(session, std::string(session.windows_.back()));
   } else {
     session.output_ = {};
   }

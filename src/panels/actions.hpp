@@ -19,6 +19,7 @@ struct Actions {
     Command command;
     Phase phase = Phase::kCommit;
     bool gesture = false;  // one of a row of previews that ends with a commit or cancel
+    bool window = false;   // of the window that previews for as long as it is open
   };
   std::vector<Step> steps;
   std::optional<std::string> noNumber;  // what was typed where a number belongs
@@ -28,6 +29,9 @@ struct Actions {
   void run(Command command) { steps.push_back({std::move(command), Phase::kCommit, false}); }
   // One of a gesture's; the step's name is the command's.
   void during(Command command, Phase phase) { steps.push_back({std::move(command), phase, true}); }
+  void inWindow(Command command) {
+    steps.push_back({std::move(command), Phase::kPreview, false, true});
+  }
   // A typed value: a command, or the refusal.
   template <class Make>
   void typed(const Ui::Typed& typed, Make make) {

@@ -24,6 +24,12 @@ struct ThreeColumns {
   Rect values[3];
 };
 ThreeColumns threeColumns(const Ui& ui, const Rect& row);
+// The current key's place (the aim's) in the fields AREA/x, y, z (AREA/aim_x …), in the units that
+// are chosen: the command for what was typed.
+std::optional<Command> positionFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
+                                      const Session& session, Actions& actions);
+std::optional<Command> aimFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
+                                 const Session& session, Actions& actions);
 // As many decimals (at most 3) as fit.
 int fittingDecimals(const Ui& ui, const Rect& box, double value, int most);
 

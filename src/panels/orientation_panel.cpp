@@ -12,32 +12,8 @@ constexpr float kRow = 22.0f;
 void aimRow(Ui& ui, const Rect& row, const Session& session, Actions& actions) {
   const ThreeColumns columns = threeColumns(ui, row);
   ui.text(columns.label, ui.words("orientation/aim"), {.colour = ColourRole::kTextSecondary});
-  const Orientation& orientation = session.currentOrientation();
-  const bool scene = session.display().units == Units::kScene;
-  const bool relative = orientation.aimMode == AimMode::kRelative;
-  const Space& space = session.flight().space;
-  // A relative aim is an offset: units scale it, the centre doesn't move it.
-  const auto toUnits = [&](const Vec3& v) {
-    return !scene ? v : relative ? v * space.halfSize : space.toWorld(v);
-  };
-  const auto toCube = [&](const Vec3& v) {
-    return !scene ? v : relative ? v / space.halfSize : space.toCube(v);
-  };
-  const Vec3 shownAt = toUnits(orientation.aim);
-  constexpr const char* kIds[] = {"orientation/aim_x", "orientation/aim_y", "orientation/aim_z"};
-  for (int axis = 0; axis < 3; ++axis) {
-    const Rect& box = columns.values[axis];
-    const auto typed = ui.field(
-        kIds[axis], box, shownAt[axis],
-        {.decimals = fittingDecimals(ui, box, shownAt[axis], 3), .weight = Weight::kSemibold});
-    actions.typed(typed, [&](double value) {
-      Vec3 aim = shownAt;
-      aim[axis] = value;
-      // The command takes the point, whatever the mode.
-      const Vec3 cube = toCube(aim);
-      return Command("set-aim", relative ? session.currentKey().position + cube : cube);
-    });
-  }
+  auto typed = aimFields(ui, "orientation", columns.values, session, actions);
+  if (typed) actions.run(std::move(*typed));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // What the left column's panels have in common.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "panels/left_panels.hpp"
 #include "panels/windows.hpp"
@@ -24,6 +25,62 @@ ThreeColumns threeColumns(const Ui& ui, const Rect& row) {
   const std::vector<Rect> parts = split(ui, rest, 3);
   std::copy(parts.begin(), parts.end(), result.values);
   return result;
+}
+
+namespace {
+
+std::optional<Command> vectorFields(Ui& ui, const std::string& prefix, const Rect (&boxes)[3],
+                                    const Vec3& shownAt, Actions& actions,
+                                    const std::function<Command(const Vec3&)>& command) {
+  std::optional<Command> result;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Rect& box = boxes[axis];
+    const auto typed = ui.field(prefix + "xyz" [axis], box, shownAt[axis], {
+      .decimals = fittingDecimals(ui, box, shownAt[axis], 3), .weight = Weight::kSemibold
+    });
+    if (typed.refused) actions.noNumber = typed.refused;
+    if (!typed.value) continue;
+    Vec3 at = shownAt;
+    at[axis] = *typed.value;
+    result = command(at);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Command> positionFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
+                                      const Session& session, Actions& actions) {
+  const bool scene = session.display().units == Units::kScene;
+  const Space& space = session.flight().space;
+  const Vec3& place = session.currentKey().position;
+  return vectorFields(ui, std::string(area) + '/', boxes, scene ? space.toWorld(place) : place,
+                      actions, [&](const Vec3& at) {
+                        return Command("move-key", session.current().key,
+                                       scene ? space.toCube(at) : at);
+                      });
+}
+
+std::optional<Command> aimFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
+                                 const Session& session, Actions& actions) {
+  const Orientation& orientation = session.currentOrientation();
+  const bool scene = session.display().units == Units::kScene;
+  const bool relative = orientation.aimMode == AimMode::kRelative;
+  const Space& space = session.flight().space;
+  // A relative aim is an offset: units scale it, the centre doesn't move it.
+  const auto toUnits = [&](const Vec3& v) {
+    return !scene ? v : relative ? v * space.halfSize : space.toWorld(v);
+  };
+  const auto toCube = [&](const Vec3& v) {
+    return !scene ? v : relative ? v / space.halfSize : space.toCube(v);
+  };
+  return vectorFields(ui, std::string(area) + "/aim_", boxes, toUnits(orientation.aim), actions,
+                      [&](const Vec3& at) {
+                        // The command takes the point, whatever the mode.
+                        const Vec3 cube = toCube(at);
+                        return Command("set-aim",
+                                       relative ? session.currentKey().position + cube : cube);
+                      });
 }
 
 int fittingDecimals(const Ui& ui, const Rect& box, double value, int most) {

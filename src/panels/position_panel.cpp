@@ -9,28 +9,11 @@ namespace {
 
 constexpr float kRow = 22.0f;
 
-// Positions are shown in cube or scene units.
-Vec3 inUnits(const Session& session, const Vec3& cube) {
-  return session.display().units == Units::kScene ? session.flight().space.toWorld(cube) : cube;
-}
-
 void positionRow(Ui& ui, const Rect& row, const Session& session, Actions& actions) {
   const ThreeColumns columns = threeColumns(ui, row);
   ui.text(columns.label, ui.words("position/place"), {.colour = ColourRole::kTextSecondary});
-  const Vec3 shownAt = inUnits(session, session.currentKey().position);
-  constexpr const char* kIds[] = {"position/x", "position/y", "position/z"};
-  for (int axis = 0; axis < 3; ++axis) {
-    const Rect& box = columns.values[axis];
-    const auto typed = ui.field(
-        kIds[axis], box, shownAt[axis],
-        {.decimals = fittingDecimals(ui, box, shownAt[axis], 3), .weight = Weight::kSemibold});
-    actions.typed(typed, [&](double value) {
-      Vec3 at = shownAt;
-      at[axis] = value;
-      if (session.display().units == Units::kScene) at = session.flight().space.toCube(at);
-      return Command("move-key", session.current().key, at);
-    });
-  }
+  auto typed = positionFields(ui, "position", columns.values, session, actions);
+  if (typed) actions.run(std::move(*typed));
 }
 
 void shapeRow(Ui& ui, const Rect& row, const Session& session, std::size_t index, bool current,
@@ -39,9 +22,10 @@ void shapeRow(Ui& ui, const Rect& row, const Session& session, std::size_t index
   const Key& key = session.flight().keys[index];
   const std::string preset = key.shape.preset == KeyShape::kOwn ? ui.words("position/own")
                                                                 : std::to_string(key.shape.preset);
-  ui.text(columns.label,
-          fmt::format("{} {} \u00b7 {}", ui.words("position/key"), index + 1, preset),
-          {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+  std::string label = fmt::format("{} {} \u00b7 {}", ui.words("position/key"), index + 1, preset);
+  if (ui.textWidth(label) > columns.label.width)
+    label = fmt::format("{} \u00b7 {}", index + 1, preset);
+  ui.text(columns.label, label, {.colour = ColourRole::kTextSecondary, .mayShorten = true});
   const Shape& shape = shapeOf(session.flight(), key);
   struct Part {
     const char* id;

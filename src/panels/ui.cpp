@@ -159,6 +159,12 @@ void Ui::icon(Icon icon, const Rect& box, ColourRole role) {
     case Icon::kChevronDown:
       chevron({x - h, y - h / 2}, {x, y + h / 2}, {x + h, y - h / 2});
       break;
+    case Icon::kClose: {
+      const float d = std::round(3.5f * setting_.scale);
+      list.AddLine({x - d, y - d}, {x + d, y + d}, ink, 1.5f * scale());
+      list.AddLine({x - d, y + d}, {x + d, y - d}, ink, 1.5f * scale());
+      break;
+    }
     case Icon::kLoop:
       list.PathArcTo({x, y}, s, -0.4f, 4.6f);
       list.PathStroke(ink, 0, 1.5f * scale());
@@ -179,6 +185,10 @@ void Ui::registerWidget(std::string_view id, std::string_view label, WidgetKind 
 void Ui::entry(std::string_view id, const Rect& rect, std::string_view label,
                std::string_view value) {
   registerWidget(id, label, WidgetKind::kEntry, rect, true, value);
+}
+
+void Ui::shows(std::string_view id, const Rect& rect, std::string_view value) {
+  registerWidget(id, words(id), WidgetKind::kText, rect, true, value);
 }
 
 void Ui::note(std::string_view id, std::string_view label, WidgetKind kind, bool enabled,

@@ -66,7 +66,17 @@ struct FieldStyle {
 };
 
 // The triangles and bars that the typeface lacks.
-enum class Icon { kPlay, kPause, kFirst, kLast, kChevronLeft, kChevronRight, kChevronDown, kLoop };
+enum class Icon {
+  kPlay,
+  kPause,
+  kFirst,
+  kLast,
+  kChevronLeft,
+  kChevronRight,
+  kChevronDown,
+  kLoop,
+  kClose
+};
 
 // What stays between display frames: the field that is being typed into, the slider being dragged.
 struct UiMemory {
@@ -158,6 +168,9 @@ class Ui {
 
   // Tells the registry of a text that takes effect while it is typed.
   void entry(std::string_view id, const Rect& rect, std::string_view label, std::string_view value);
+
+  // Tells the registry of a text that is only shown.
+  void shows(std::string_view id, const Rect& rect, std::string_view value);
 
   // Widgets that Dear ImGui draws (menus): told to the registry after the fact.
   void note(std::string_view id, std::string_view label, WidgetKind kind, bool enabled,

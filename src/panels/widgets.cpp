@@ -91,12 +91,11 @@ bool Ui::button(std::string_view id, const Rect& rect, std::string_view label,
   registerWidget(id, label, style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
                  style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
   ground(rect, state, style);
-  const float inset = style.align == Align::kCentre ? px(2) : px(8);
-  text(rect.inset(0), label,
+  const float inset = style.align == Align::kCentre ? 0.0f : px(6);
+  text({rect.x + inset, rect.y, rect.width - 2 * inset, rect.height}, label,
        {.colour = style.enabled ? ColourRole::kText : ColourRole::kTextDisabled,
         .weight = style.on ? Weight::kSemibold : Weight::kRegular,
         .align = style.align});
-  static_cast<void>(inset);
   tooltip(id, state, style.tooltip);
   return state.pressed;
 }

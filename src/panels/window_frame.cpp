@@ -50,4 +50,46 @@ void windowFrame(Ui& ui, const WindowFrame& frame,
   ImGui::End();
 }
 
+bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place,
+                   const std::function<void(const Rect&)>& content) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  const float w = std::min(ui.px(frame.width), screen.x);
+  const float h = std::min(ui.px(frame.height), screen.y);
+  if (place.dragging) {
+    place.x = pointer.x - place.gripX;
+    place.y = pointer.y - place.gripY;
+  }
+  // Wholly on the screen, also when that has become smaller.
+  const float x = std::round(std::clamp(place.moved ? place.x : frame.x, 0.0f, screen.x - w));
+  const float y = std::round(std::clamp(place.moved ? place.y : frame.y, 0.0f, screen.y - h));
+  ImGui::SetNextWindowPos({x, y});
+  ImGui::SetNextWindowSize({w, h});
+  const std::string id = "###" + frame.area;
+  ImGui::Begin(id.c_str(), nullptr, kFlags);
+  ui.outline({x, y, w, h}, ColourRole::kBorder, 6.0f);
+  const float pad = ui.px(12);
+  const float close = ui.px(24);
+  const Rect row{x + pad, y + ui.px(8), w - 2 * pad, close};
+  const auto state = ui.area(frame.area + "/heading", {x, y, w - close - pad, ui.px(36)});
+  if (state.pressed) {
+    place.dragging = true;
+    place.moved = true;
+    place.x = x;
+    place.y = y;
+    place.gripX = pointer.x - x;
+    place.gripY = pointer.y - y;
+  }
+  if (!state.held) place.dragging = false;
+  if (state.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  ui.text({row.x, row.y, row.width - close, row.height}, frame.heading,
+          {.weight = Weight::kSemibold, .mayShorten = true});
+  const bool closed =
+      ui.iconButton(frame.area + "/close", {row.right() - close + ui.px(4), row.y, close, close},
+                    Icon::kClose, {.quiet = true});
+  content({row.x, row.bottom() + ui.px(8), row.width, y + h - pad - row.bottom() - ui.px(8)});
+  ImGui::End();
+  return !closed;
+}
+
 }  // namespace vides

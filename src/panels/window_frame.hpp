@@ -20,4 +20,23 @@ struct WindowFrame {
 // In the middle of the screen, with a heading; `content` draws into what is left.
 void windowFrame(Ui& ui, const WindowFrame& frame, const std::function<void(const Rect&)>& content);
 
+// Where a window stands that the user can move by its heading; kept between display frames.
+struct WindowPlace {
+  bool moved = false;        // by the user; else where the frame wants it
+  float x = 0.0f, y = 0.0f;  // pixels
+  bool dragging = false;
+  float gripX = 0.0f, gripY = 0.0f;  // from its corner to the pointer at the press
+};
+
+struct FloatingFrame {
+  std::string area;     // "shape": its heading is the area shape/heading
+  float width, height;  // at content scale 1; less where the screen is smaller
+  std::string heading;
+  float x = 0.0f, y = 0.0f;  // pixels: where it stands until it is moved; kept on the screen
+};
+
+// Over the editor, which can be used on beside it. False if its close button was pressed.
+bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place,
+                   const std::function<void(const Rect&)>& content);
+
 }  // namespace vides

@@ -88,7 +88,7 @@ void shortcuts(Ui& ui, const Session& session, const Texts& texts, Actions& acti
 }  // namespace
 
 bool hasWindow(std::string_view name) {
-  return name == "shortcuts" || name == "insert-keys" || isChooser(name);
+  return name == "shape" || name == "shortcuts" || name == "insert-keys" || isChooser(name);
 }
 
 bool canRun(const Session& session, std::string_view commandLine) {
@@ -103,11 +103,12 @@ bool canRun(const Session& session, std::string_view commandLine) {
   return name != "show-window" || hasWindow(commandLine.substr(name.size() + 1));
 }
 
-void windows(Ui& ui, const Session& session, const Texts& texts, ChooserMemory& memory,
+void windows(Ui& ui, const Session& session, const Texts& texts, WindowsMemory& memory,
              Actions& actions) {
+  if (session.windowOpen("shape")) shapeWindow(ui, session, memory.shape, actions);
   if (session.windowOpen("insert-keys")) insertKeys(ui, session, actions);
   if (session.windowOpen("shortcuts")) shortcuts(ui, session, texts, actions);
-  chooser(ui, session, memory, actions);
+  chooser(ui, session, memory.chooser, actions);
   if (session.question()) question(ui, session, actions);
 }
 

@@ -8,6 +8,7 @@
 #include "edit/texts.hpp"
 #include "panels/actions.hpp"
 #include "panels/chooser.hpp"
+#include "panels/shape_window.hpp"
 #include "panels/ui.hpp"
 
 namespace vides {
@@ -17,8 +18,14 @@ bool hasWindow(std::string_view name);
 // Whether a command's line can do something: it exists, it is available, its window exists.
 bool canRun(const Session& session, std::string_view commandLine);
 
+// What windows keep between display frames.
+struct WindowsMemory {
+  ChooserMemory chooser;
+  ShapeWindowMemory shape;
+};
+
 // All that are open.
-void windows(Ui& ui, const Session& session, const Texts& texts, ChooserMemory& memory,
+void windows(Ui& ui, const Session& session, const Texts& texts, WindowsMemory& memory,
              Actions& actions);
 
 }  // namespace vides

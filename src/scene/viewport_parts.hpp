@@ -80,6 +80,15 @@ class AimPart {
   GeometrySlot aimLine_, aimRing_, edgeRing_, upLine_, upRing_, circle_;
 };
 
+// The curve's tangents at the current key.
+class TangentsPart {
+ public:
+  void add(const ViewportContext& context);
+
+ private:
+  GeometrySlot lines_, incoming_, outgoing_;
+};
+
 // Ghost cameras along the flight, and the playhead's camera.
 class CamerasPart {
  public:

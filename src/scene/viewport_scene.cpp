@@ -16,6 +16,7 @@ struct ViewportScene::Parts {
   ScenePart scene;
   CurvePart curve;
   KeysPart keys;
+  TangentsPart tangents;
   AimPart aim;
   CamerasPart cameras;
   DragPart drag;
@@ -54,6 +55,7 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
   // Marks block before any label is placed.
   p.keys.find(context);
   p.drag.addSquares(context);
+  p.tangents.add(context);
   p.aim.add(context);
   p.keys.addCrosses(context);
   p.keys.addNumbers(context);

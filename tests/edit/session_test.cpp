@@ -181,7 +181,7 @@ TEST(Session, AnInvalidPreviewKeepsTheLastValidOne) {
 
 TEST(Session, AWindowsGestureGivesWayToOtherEdits) {
   Session session;
-  session.beginWindow(Text("step.set-shape", {1}));
+  session.beginWindow("step.set-shape");
   session.preview(Command("set-tension", 0.5));
   session.preview(Command("set-bias", -0.5));
   run(session, "set-zoom 40");  // ends the window's step, then makes its own

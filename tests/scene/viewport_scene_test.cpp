@@ -526,5 +526,49 @@ TEST(ViewportScene, ManyKeysAreThinnedButAllCanBePicked) {
   EXPECT_LT(list.texts.size(), 300u);
 }
 
+// Ends of lines at the current key: thirds of the tangents by Kochanek and Bartels' formulas.
+TEST(ViewportScene, TangentsAtTheCurrentKey) {
+  Flight flight = sixKeys();
+  Key key = flight.keys[2];
+  key.shape = {KeyShape::kOwn, {0.2, 0.4, -0.3}, nullptr};
+  flight.keys.set(2, key);
+  ViewportInput input = inputOf(flight);
+  input.state.current = {2, 0};
+  const std::size_t without = ViewportScene().build(input).items.size();
+  input.shown.tangents = true;
+  ViewportScene scene;
+  const DrawList& list = scene.build(input);
+  ASSERT_EQ(list.items.size(), without + 3);
+  const auto tips = [&](const DrawList& drawn) {
+    std::vector<Vec3> points;
+    for (const DrawItem& item : drawn.items) {
+      const auto* marker = std::get_if<MarkerStyle>(&item.style);
+      if (marker == nullptr || marker->shape != MarkerShape::kSquare || marker->radius != 3.0f) {
+        continue;
+      }
+      for (const GeometryPoint& p : item.geometry->points) points.emplace_back(p.x, p.y, p.z);
+    }
+    return points;
+  };
+  const Vec3 before = key.position - flight.keys[1].position;
+  const Vec3 after = flight.keys[3].position - key.position;
+  const Vec3 incoming = 0.4 * (0.6 * 0.7 * before + 1.4 * 1.3 * after);
+  const Vec3 outgoing = 0.4 * (1.4 * 0.7 * before + 0.6 * 1.3 * after);
+  const std::vector<Vec3> found = tips(list);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_LT(glm::distance(found[0], key.position - incoming / 3.0), 1e-6);
+  EXPECT_LT(glm::distance(found[1], key.position + outgoing / 3.0), 1e-6);
+  // An open flight's ends have one, full tension none.
+  input.state.current = {0, 0};
+  EXPECT_EQ(tips(scene.build(input)).size(), 1u);
+  input.state.current = {5, 0};
+  EXPECT_EQ(tips(scene.build(input)).size(), 1u);
+  key.shape.own = {1, 0, 0};
+  flight.keys.set(2, key);
+  input.evaluation = Evaluation(flight);
+  input.state.current = {2, 0};
+  EXPECT_EQ(tips(scene.build(input)).size(), 0u);
+}
+
 }  // namespace
 }  // namespace vides

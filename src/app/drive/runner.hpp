@@ -62,6 +62,7 @@ class ScriptRunner {
   Result print(Words, const ScriptLine&);
   Result expect(Words, const ScriptLine&);
   Result expectOutput(Words, const ScriptLine&);
+  Result expectWidget(Words, const ScriptLine&);
   Result expectTitle(Words, const ScriptLine&);
   Result save(Words, const ScriptLine&);
   Result open(Words, const ScriptLine&);
@@ -75,6 +76,7 @@ class ScriptRunner {
   tl::expected<std::vector<double>, std::string> numbers(Words words) const;
   tl::expected<std::size_t, std::string> index(const ScriptWord& word) const;
   tl::expected<Vec2, std::string> place(Words words) const;
+  tl::expected<Vec2, std::string> placeInWidget(Words words) const;
 
   Player& player_;
   std::function<void(const std::string&)> print_;

@@ -38,7 +38,26 @@ ScriptRunner::Result ScriptRunner::must(const vides::Command& command, std::stri
                              player_.editor().words(player_.editor().session().output().text)));
 }
 
+tl::expected<Vec2, std::string> ScriptRunner::placeInWidget(Words words) const {
+  const std::string& id = words[1].text;
+  const Widget* widget = player_.editor().widgets().find(id);
+  if (widget == nullptr) {
+    return Failure(fmt::format("expected a widget {} on screen, found none", id));
+  }
+  Vec2 share(0.5);
+  if (words.size() == 3) return Failure("expected widget ID or widget ID U V");
+  if (words.size() == 4) {
+    const auto given = numbers(words.subspan(2));
+    if (!given) return Failure(given.error());
+    share = {(*given)[0], (*given)[1]};
+  }
+  const Rect& rect = widget->rect;
+  return Vec2(static_cast<double>(rect.x) + share.x * static_cast<double>(rect.width),
+              static_cast<double>(rect.y) + share.y * static_cast<double>(rect.height));
+}
+
 tl::expected<Vec2, std::string> ScriptRunner::place(Words words) const {
+  if (words[0].text == "widget") return placeInWidget(words);
   const Session& session = player_.editor().session();
   const Rect rect = player_.editor().viewport();
   // A small one may be scrolled out of sight.
@@ -51,7 +70,7 @@ tl::expected<Vec2, std::string> ScriptRunner::place(Words words) const {
   const std::string& what = words[0].text;
   const bool curve = what == "curve";
   if (!curve && what != "key" && what != "aim" && what != "up") {
-    return Failure(fmt::format("expected key, aim, up or curve, found '{}'", what));
+    return Failure(fmt::format("expected key, aim, up, curve or widget, found '{}'", what));
   }
   if (words.size() != (what == "key" ? 2u : 3u)) {
     return Failure("expected key I, aim I J, up I J or curve I U");
@@ -192,6 +211,17 @@ ScriptRunner::Result ScriptRunner::expectOutput(Words words, const ScriptLine&) 
   if (said.find(words[0].text) != std::string::npos) return {};
   return Failure(
       fmt::format("expected the output line to contain \"{}\", found \"{}\"", words[0].text, said));
+}
+
+ScriptRunner::Result ScriptRunner::expectWidget(Words words, const ScriptLine&) {
+  const Widget* widget = player_.editor().widgets().find(words[0].text);
+  if (widget == nullptr) {
+    return Failure(fmt::format("expected a widget {} on screen, found none", words[0].text));
+  }
+  const std::string shown = widget->enabled ? widget->value : "greyed";
+  if (shown == words[1].text) return {};
+  return Failure(
+      fmt::format("expected {} to show \"{}\", found \"{}\"", widget->id, words[1].text, shown));
 }
 
 ScriptRunner::Result ScriptRunner::expectTitle(Words words, const ScriptLine&) {
