@@ -12,10 +12,10 @@
 #include "edit/camera_tools.hpp"
 #include "edit/texts.hpp"
 #include "edit/viewport_tools.hpp"
-#include "panels/windows.hpp"
 #include "panels/flight_graphs.hpp"
 #include "panels/timeline_panel.hpp"
 #include "panels/ui.hpp"
+#include "panels/windows.hpp"
 #include "render/imgui_renderer.hpp"
 #include "scene/theme.hpp"
 

@@ -38,7 +38,7 @@ struct ShownElements {
   bool playhead = true;  // the playhead's camera
   bool planeSquares = true;
   bool tangents = false;  // at the current key, as handles of its two curve pieces
-  int ghostEvery = 20;  // frames, at least 1; doubled until there are at most kMostGhosts
+  int ghostEvery = 20;    // frames, at least 1; doubled until there are at most kMostGhosts
   bool operator==(const ShownElements&) const = default;
 };
 

@@ -186,7 +186,7 @@ TEST(ShapeWindow, SeveralKeysAreOneStepAndOneCancel) {
   run(session, "shape-set bias 0.5");
   run(session, "shape-ok");
   EXPECT_EQ(session.history().steps(), steps + 1);
-  EXPECT_EQ(session.undoName(), Text("menu.undo", {Text("step.edit-keys")}));
+  EXPECT_EQ(session.undoName(), Text("menu.undo", {Text("step.set-shape", {3})}));
   EXPECT_EQ(session.flight().keys[2].shape.own, (Shape{-0.25, 0, 0}));
   EXPECT_EQ(session.flight().presets[0], (Shape{0, 0, 0.5}));
   // Without a change Cancel leaves the user where he went.
