@@ -13,6 +13,7 @@
 #include "app/editor.hpp"
 #include "app/messages.hpp"
 #include "app/offscreen_editor.hpp"
+#include "app/recovery_keeper.hpp"
 #include "app/sample_frames.hpp"
 #include "app/user_files.hpp"
 #include "edit/folder.hpp"
@@ -59,7 +60,7 @@ class WindowDress {
   CursorShape cursor_ = CursorShape::kArrow;
 };
 
-void runWindow(Host& host, Editor& editor, UserFiles& userFiles) {
+void runWindow(Host& host, Editor& editor, UserFiles& userFiles, RecoveryKeeper& recovery) {
   using Seconds = std::chrono::duration<double>;
   WindowDress dress(host);
   double due = 0.0;  // when the next display frame is wanted; the first at once
@@ -85,7 +86,8 @@ void runWindow(Host& host, Editor& editor, UserFiles& userFiles) {
     dress.put(outcome);
     due = std::numeric_limits<double>::infinity();
     for (const std::optional<double>& wanted :
-         {outcome.nextFrameIn, userFiles.follow(editor.session(), input.time)}) {
+         {outcome.nextFrameIn, userFiles.follow(editor.session(), input.time),
+          recovery.follow(editor.session(), input.time)}) {
       due = std::min(due, input.time + wanted.value_or(due));
     }
   }
@@ -127,7 +129,10 @@ int openEditor(const std::optional<std::string>& flight) {
     (*editor)->session().beginWithSample(sample->string());
   }
   if (trouble) (*editor)->session().say(MessageKind::kError, *trouble);
-  runWindow(window, **editor, userFiles);
+  RecoveryKeeper recovery(writer, stateFolder().empty() ? "" : stateFolder() / "recovery");
+  recovery.offer((*editor)->session());
+  runWindow(window, **editor, userFiles, recovery);
+  recovery.close();
   userFiles.close((*editor)->session());
   window.makeCurrent();
   editor->reset();

@@ -65,7 +65,8 @@ void addFileCommands(Table& t) {
   addExclusive(t, "revert", {}, Acts::revert, hasPath);
   addExclusive(t, "quit", {}, Acts::quit);
   addAct(t, "answer",
-         {choice("CHOICE", {"save", "discard", "overwrite", "save-as", "enlarge", "cancel"})},
+         {choice("CHOICE", {"save", "discard", "overwrite", "save-as", "enlarge", "recover",
+                            "forget", "later", "cancel"})},
          Acts::answer, hasQuestion);
   addExclusive(t, "import-scene", {optional(text("FILE"))}, Acts::addScene);
   addEdit(t, "add-scene",

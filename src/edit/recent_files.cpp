@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
+#include "flight/utf8.hpp"
 #include "io/atomic_file.hpp"
 #include "io/read_file.hpp"
 #include "io/vid_values.hpp"
@@ -48,11 +50,13 @@ std::vector<std::string> readRecentFilesFile(const std::string& path) {
 
 std::string writeRecentFiles(const std::vector<std::string>& files) {
   std::string out = "{\n  \"format\": \"vides-recent\",\n  \"version\": 1,\n  \"files\": [";
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    out += i == 0 ? "\n    " : ",\n    ";
-    appendJsonString(out, files[i]);
+  bool first = true;
+  for (const std::string& file : files) {
+    if (!codePoints(file)) continue;  // JSON has no words for it
+    out += std::exchange(first, false) ? "\n    " : ",\n    ";
+    appendJsonString(out, file);
   }
-  return out += files.empty() ? "]\n}\n" : "\n  ]\n}\n";
+  return out += first ? "]\n}\n" : "\n  ]\n}\n";
 }
 
 std::optional<Problem> saveRecentFiles(std::vector<std::string> files, std::size_t most,

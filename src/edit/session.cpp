@@ -64,8 +64,14 @@ bool Session::beginWithSample(const std::string& path) {
 
 void Session::recover(Flight flight, std::string path) {
   Flight saved = newFlight();
+  // Where its file is gone it has none: saving asks, and doesn't write over another one.
+  file_ = DiskFile();
   if (!path.empty()) {
-    if (auto onDisk = file_.open(path)) saved = std::move(*onDisk);
+    if (auto onDisk = file_.open(path)) {
+      saved = std::move(*onDisk);
+    } else {
+      moveScenePaths(flight, path, "");
+    }
   }
   reset(std::move(flight));
   savedFlight_ = std::move(saved);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "edit/command.hpp"
@@ -47,11 +48,15 @@ struct Question {
     kUnsaved,        // choices save, discard, cancel
     kChangedOnDisk,  // choices overwrite, save-as, cancel
     kOutsideCube,    // choices enlarge, cancel
+    kRecover,        // choices recover, forget, later
   };
   Kind kind = Kind::kUnsaved;
   Text text;
   std::vector<std::string> choices;
 };
+
+// What is to become of work that an editor left unsaved.
+enum class RecoveryAnswer { kRecover, kForget, kLater };
 
 // A box in scene units.
 struct SceneBounds {
@@ -122,6 +127,12 @@ class Session {
   bool beginWithSample(const std::string& path);
   // A flight from a recovery file: unsaved, as if it had been edited.
   void recover(Flight flight, std::string path);
+  // Asks whether to do so; `time` is when it was kept, in words.
+  void offerRecovery(Flight flight, std::string path, const std::string& time);
+  // What was answered, once.
+  std::optional<RecoveryAnswer> takeRecoveryAnswer() {
+    return std::exchange(recoveryAnswer_, std::nullopt);
+  }
   // Looks whether another program has changed or deleted the file, and tells so once.
   void checkDisk();
 
@@ -220,6 +231,12 @@ class Session {
   Layout layout_;
   OutputLine output_;
   std::optional<Question> question_;
+  struct Recoverable {
+    Flight flight;
+    std::string path;
+  };
+  std::optional<Recoverable> recoverable_;  // what the question is about
+  std::optional<RecoveryAnswer> recoveryAnswer_;
   std::optional<Command> afterAnswer_;  // goes on when the question is answered, or after saving
   std::vector<std::string> windows_;
   std::vector<std::string> recentFiles_;

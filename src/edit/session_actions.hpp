@@ -108,6 +108,7 @@ struct SessionActions {
   static Result saveFile(Session& session, const std::string& path);
   static Result proceed(Session& session, const Command& command);
   static Result askBeforeLoss(Session& session, const Command& command);
+  static Result answerRecovery(Session& session, const std::string& choice);
   static Result afterSaving(Session& session);
   static void openWindow(Session& session, const std::string& name);
   static void hideWindow(Session& session, const std::string& name);

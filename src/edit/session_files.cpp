@@ -79,6 +79,7 @@ Result SessionActions::answer(Session& session, const Arguments& arguments) {
     session.output_ = {};
     return {};
   }
+  if (question.kind == Question::Kind::kRecover) return answerRecovery(session, choice);
   if (choice == "overwrite") return saveFile(session, session.path());
   if (choice == "save-as") {
     openWindow(session, "chooser-save");
@@ -88,6 +89,25 @@ Result SessionActions::answer(Session& session, const Arguments& arguments) {
   session.afterAnswer_.reset();
   if (choice == "enlarge") return withCamera(session, command->name.c_str(), true);
   return proceed(session, *command);
+}
+
+void Session::offerRecovery(Flight flight, std::string path, const std::string& time) {
+  const Text name = path.empty() ? Text("title.untitled") : Text();
+  question_ = Question{Question::Kind::kRecover,
+                       name.empty() ? Text("question.recover", {fileName(path), time})
+                                    : Text("question.recover", {name, time}),
+                       {"recover", "forget", "later"}};
+  recoverable_ = Recoverable{std::move(flight), std::move(path)};
+}
+
+Result SessionActions::answerRecovery(Session& session, const std::string& choice) {
+  const auto work = std::exchange(session.recoverable_, std::nullopt);
+  session.recoveryAnswer_ = choice == "forget" ? RecoveryAnswer::kForget : RecoveryAnswer::kLater;
+  if (choice != "recover" || !work) return {};
+  session.recoveryAnswer_ = RecoveryAnswer::kRecover;
+  session.recover(work->flight, work->path);
+  session.say(MessageKind::kDone, Text("output.recovered"));
+  return {};
 }
 
 Result SessionActions::afterSaving(Session& session) {

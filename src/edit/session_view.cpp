@@ -286,6 +286,9 @@ Result SessionActions::escape(Session& session, const Arguments&) {
   if (session.gesture_ && !session.gesture_->window) {
     session.cancel();
   } else if (session.question_) {
+    if (session.question_->kind == Question::Kind::kRecover) {
+      static_cast<void>(answerRecovery(session, "later"));
+    }
     session.question_.reset();
     session.afterAnswer_.reset();
   } else if (session.freeCamera_) {

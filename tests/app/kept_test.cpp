@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the window keeps from one run to the next: the setup, the recently opened files.
 #include <gmock/gmock.h>
+#include <signal.h>
 
 #include "app/window_fixture.hpp"
 #include "edit/recent_files.hpp"
 #include "edit/setup.hpp"
+#include "io/vid_reader.hpp"
+#include "io/vid_writer.hpp"
 
 namespace vides {
 namespace {
@@ -73,6 +76,99 @@ TEST_F(KeptTest, ABrokenSetupIsReplacedAndKept) {
   closeProgram();
   EXPECT_EQ(readSetupFile(setupFile())->display.language, Language::kGerman);
   EXPECT_THAT(test::readAll(setupFile() + ".broken"), testing::HasSubstr("beige"));
+}
+
+class RecoveryTest : public KeptTest {
+ protected:
+  std::vector<std::filesystem::path> kept() const {
+    std::vector<std::filesystem::path> files;
+    std::error_code none;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(folder_ / "state/vides/recovery", none)) {
+      if (entry.path().extension() == ".vid") files.push_back(entry.path());
+    }
+    return files;
+  }
+  void kill() {
+    ASSERT_EQ(::kill(program_->id(), SIGKILL), 0);
+    ASSERT_TRUE(waitUntil([&] { return program_->ended().has_value(); }));
+    program_.reset();
+  }
+  // An edit in both, and how long it took until it was kept.
+  double editAndWait() {
+    twin_->tap(KeyboardKey::kI, {});
+    xdotool("key i");
+    const auto start = std::filesystem::file_time_type::clock::now();
+    EXPECT_TRUE(waitUntil([&] {
+      return kept().size() == 1 &&
+             readVidFile(kept().front().string())->keys == twin_->editor().session().flight().keys;
+    }));
+    if (kept().empty()) return 1e9;
+    const auto written = std::filesystem::last_write_time(kept().front());
+    return std::chrono::duration<double>(written - start).count();
+  }
+};
+
+TEST_F(RecoveryTest, KilledItGivesTheWorkBack) {
+  startProgram({file("window").string()});
+  EXPECT_THAT(kept(), testing::IsEmpty());
+  const std::string before = test::readAll(file("window"));
+  EXPECT_LT(editAndWait(), 5.0);
+  kill();
+  EXPECT_EQ(test::readAll(file("window")), before);
+
+  // Refused for now it is offered again, taken it is there, saved it is gone.
+  startProgram({});
+  Session& twin = twin_->editor().session();
+  const Flight work = twin.flight();
+  twin.offerRecovery(work, file("window").string(), "2026-11-22 08:15");
+  clickBoth("question/later");
+  EXPECT_EQ(kept().size(), 1u);
+  closeProgram();
+  EXPECT_EQ(kept().size(), 1u);
+  startProgram({});
+  twin.offerRecovery(work, file("window").string(), "2026-11-22 08:15");
+  clickBoth("question/recover");
+  EXPECT_EQ(kept().size(), 1u);
+  xdotool("key ctrl+s");
+  EXPECT_TRUE(waitUntil([&] { return test::readAll(file("window")) == writeVid(work); }));
+  EXPECT_TRUE(waitUntil([&] { return kept().empty(); }));
+  closeProgram();
+
+  // Discarded it is gone at once.
+  startProgram({file("window").string()});
+  EXPECT_LT(editAndWait(), 5.0);
+  kill();
+  startProgram({});
+  twin.offerRecovery(work, file("window").string(), "2026-11-22 08:15");
+  clickBoth("question/forget");
+  EXPECT_TRUE(waitUntil([&] { return kept().empty(); }));
+  closeProgram();
+}
+
+TEST_F(RecoveryTest, AnotherEditorLeavesIt) {
+  startProgram({file("window").string()});
+  EXPECT_LT(editAndWait(), 5.0);
+  {
+    test::RunningProcess other({VIDES_PROGRAM}, environment());
+    unsigned long window = 0;
+    ASSERT_TRUE(waitUntil([&] {
+      const std::string id = xdotool("search --all --onlyvisible --pid " +
+                                     std::to_string(other.id()) + " --class ^vides$");
+      if (!id.empty()) window = std::stoul(id);
+      return window != 0;
+    }));
+    ASSERT_TRUE(waitUntil([&] { return sleeps(other.id()) > 0; }));
+    // Had it asked, it would not end before the answer.
+    peer_.requestClose(window);
+    ASSERT_TRUE(waitUntil([&] { return other.ended().has_value(); }));
+    EXPECT_EQ(other.ended(), 0);
+  }
+  EXPECT_EQ(kept().size(), 1u);
+  // Undone nothing is unsaved: nothing is kept.
+  xdotool("key ctrl+z");
+  EXPECT_TRUE(waitUntil([&] { return kept().empty(); }));
+  closeProgram();
 }
 
 }  // namespace
