@@ -61,6 +61,7 @@ left corner.
   point $NAME where ...   view VIEW   view TURN TILT SIZE   perspective on|off
   frame_at N   print POINTER   expect POINTER VALUE [TOL]
   expect_output "TEXT"   expect_title "TEXT"   expect_widget ID "VALUE"
+  expect_setup POINTER VALUE [TOL]
   save FILE   open FILE   undo   redo   screenshot FILE
 The first line that fails ends the run with status 1 and SCRIPT:LINE: what was
 expected and found.)";

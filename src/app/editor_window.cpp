@@ -155,16 +155,23 @@ void Editor::Parts::pictureArea(Ui& ui, const Rect& rect, bool film, bool small)
 
 // In the viewport's upper left corner: which view it is.
 void Editor::Parts::viewportText(Ui& ui, const Rect& rect) {
-  if (rect.width <= ui.px(500)) return;
   const EditorView& view = session.view().view;
   const bool perspective = view.type == ProjectionType::Perspective;
   const std::string name = ui.words(perspective ? "view/perspective" : "view/parallel");
-  const std::string label = name + " \u00b7 " + ui.words("view/turn_short") + " " +
-                            ui.number(view.turn, 0) + "\u00b0 \u00b7 " +
-                            ui.words("view/tilt_short") + " " + ui.number(view.tilt, 0) + "\u00b0";
-  const float width = std::min(ui.textWidth(label), rect.width - ui.px(28));
-  ui.text({rect.x + ui.px(14), rect.y + ui.px(10), width, ui.px(20)}, label,
-          {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+  const std::string angles = ui.words("view/turn_short") + " " + ui.number(view.turn, 0) +
+                             "\u00b0 \u00b7 " + ui.words("view/tilt_short") + " " +
+                             ui.number(view.tilt, 0) + "\u00b0";
+  // As much of it as there is room for beside the slider.
+  const float left = rect.x + ui.px(14);
+  const float right =
+      session.display().sliders ? sizeSliderPlace(ui, rect).x - ui.px(8) : rect.right() - ui.px(14);
+  for (const std::string& label : {name + " \u00b7 " + angles, angles, name}) {
+    const float width = ui.textWidth(label);
+    if (left + width > right) continue;
+    ui.text({left, rect.y + ui.px(10), width, ui.px(20)}, label,
+            {.colour = ColourRole::kTextSecondary});
+    return;
+  }
 }
 
 // The same for what the camera sees, where it has the viewport's place.

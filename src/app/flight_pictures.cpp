@@ -44,6 +44,7 @@ ViewportInput viewportInput(const Ui& ui, const Session& session, const SharedSc
   input.view = session.view().view;
   input.rectangle = pixels(rect);
   input.contentScale = static_cast<double>(ui.scale());
+  input.text.aim = ui.words("view/aim");
   input.text.digitWidth = static_cast<double>(ui.textWidth("0"));
   input.text.letterWidth = static_cast<double>(ui.textWidth("n"));
   input.text.lineHeight = static_cast<double>(ui.font(Weight::kRegular)->FontSize);

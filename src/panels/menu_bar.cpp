@@ -57,8 +57,14 @@ void entry(Ui& ui, const MenuEntry& item, const Session& session, const Layout& 
   const std::string label = labelOf(ui, session, item.id);
   const bool tick = ticked(item.id, session, layout);
   const std::string keys = isLayout ? std::string() : hint(item.command);
+  // Dear ImGui writes keys in the colour of what is greyed, and greys nothing in our style.
+  ImGui::PushStyleColor(ImGuiCol_Text,
+                        ui.colour(enabled ? ColourRole::kText : ColourRole::kTextDisabled));
+  ImGui::PushStyleColor(ImGuiCol_TextDisabled, ui.colour(enabled ? ColourRole::kTextSecondary
+                                                                 : ColourRole::kTextDisabled));
   const bool chosen =
       ImGui::MenuItem((label + "###" + item.id).c_str(), keys.c_str(), tick, enabled);
+  ImGui::PopStyleColor(2);
   ui.note(item.id, label, WidgetKind::kMenuItem, enabled, tick ? "on" : "");
   if (!chosen) return;
   if (isLayout) {

@@ -144,6 +144,11 @@ class Ui {
   bool button(std::string_view id, const Rect& rect, std::string_view label,
               const ButtonStyle& style);
   bool iconButton(std::string_view id, const Rect& rect, Icon icon, const ButtonStyle& style = {});
+  // A square with a tick and a label behind it.
+  bool checkBox(std::string_view id, const Rect& rect, bool on);
+  // One row of a list of which one is chosen, with a colour before it.
+  bool choiceRow(std::string_view id, const Rect& rect, std::string_view label, bool chosen,
+                 ColourRole swatch);
   // Dragged, clicked at, turned with the wheel's keys; double click or Ctrl + click types the
   // value.
   std::optional<ValueChange> slider(std::string_view id, const Rect& rect, double value,
@@ -183,6 +188,7 @@ class Ui {
   Press press(std::string_view id, const Rect& rect, WidgetKind kind, bool enabled);
   void registerWidget(std::string_view id, std::string_view label, WidgetKind kind,
                       const Rect& rect, bool enabled, std::string_view value);
+  void edge(const Rect& rect);
   void ground(const Rect& rect, const Press& press, const ButtonStyle& style);
   void tooltip(std::string_view id, const Press& press, const std::string& given);
   std::optional<std::string> textEditor(std::string_view id, const Rect& rect, bool& ended);

@@ -9,13 +9,17 @@
 
 namespace vides {
 
+// About the middle, and no longer than looks well: the sketch's proportions.
+Rect sizeSliderPlace(const Ui& ui, const Rect& rect) {
+  const float width = std::clamp(rect.width - ui.px(400), ui.px(120), ui.px(480));
+  return {std::round(rect.centreX() - width / 2), rect.y + ui.px(11), width, ui.px(18)};
+}
+
 std::optional<EditorView> viewportSliders(Ui& ui, const Rect& rect, const Session& session) {
   const EditorView& view = session.view().view;
   EditorView next = view;
-  // About the middle, and no longer than looks well: the sketch's proportions.
-  const float thick = ui.px(18);
-  const float sizeWidth = std::clamp(rect.width - ui.px(400), ui.px(120), ui.px(480));
-  const Rect size{std::round(rect.centreX() - sizeWidth / 2), rect.y + ui.px(11), sizeWidth, thick};
+  const Rect size = sizeSliderPlace(ui, rect);
+  const float thick = size.height;
   const float turnWidth = std::clamp(rect.width - ui.px(120), ui.px(120), ui.px(720));
   const Rect turn{std::round(rect.centreX() - turnWidth / 2), rect.bottom() - ui.px(29), turnWidth,
                   thick};

@@ -75,14 +75,24 @@ void Ui::tooltip(std::string_view id, const Press& press, const std::string& giv
   ImGui::PopStyleVar();
 }
 
+void Ui::edge(const Rect& rect) {
+  if (theme()[ColourRole::kEdge] == theme()[ColourRole::kControl]) return;
+  outline(rect, ColourRole::kEdge, 3.0f);
+}
+
 void Ui::ground(const Rect& rect, const Press& press, const ButtonStyle& style) {
   if (!style.enabled) {
     if (!style.quiet) fill(rect, ColourRole::kControl, 3.0f, 0.4);
     return;
   }
-  if (press.held || style.on) return fill(rect, ColourRole::kControlActive, 3.0f);
-  if (press.hovered) return fill(rect, ColourRole::kControlHovered, 3.0f);
-  if (!style.quiet) fill(rect, ColourRole::kControl, 3.0f);
+  if (press.held || style.on) {
+    fill(rect, ColourRole::kControlActive, 3.0f);
+  } else if (press.hovered) {
+    fill(rect, ColourRole::kControlHovered, 3.0f);
+  } else if (!style.quiet) {
+    fill(rect, ColourRole::kControl, 3.0f);
+  }
+  if (!style.quiet) edge(rect);
 }
 
 bool Ui::button(std::string_view id, const Rect& rect, std::string_view label,
@@ -111,6 +121,43 @@ bool Ui::iconButton(std::string_view id, const Rect& rect, Icon which, const But
   ground(rect, state, style);
   icon(which, rect, style.enabled ? ColourRole::kText : ColourRole::kTextDisabled);
   tooltip(id, state, style.tooltip);
+  return state.pressed;
+}
+
+bool Ui::checkBox(std::string_view id, const Rect& rect, bool on) {
+  const std::string label = words(id);
+  const Press state = press(id, rect, WidgetKind::kToggle, true);
+  registerWidget(id, label, WidgetKind::kToggle, rect, true, on ? "on" : "off");
+  if (state.hovered) fill(rect, ColourRole::kControlHovered, 3.0f, 0.5);
+  const float side = px(14);
+  const Rect box{rect.x + px(4), std::round(rect.centreY() - side / 2), side, side};
+  fill(box, on ? ColourRole::kSlider : ColourRole::kField, 3.0f);
+  outline(box, state.hovered ? ColourRole::kText : ColourRole::kSlider, 3.0f);
+  if (on) {
+    const ImVec2 tick[] = {{box.x + side * 0.22f, box.y + side * 0.52f},
+                           {box.x + side * 0.43f, box.y + side * 0.73f},
+                           {box.x + side * 0.79f, box.y + side * 0.29f}};
+    ImGui::GetWindowDrawList()->AddPolyline(tick, 3, colour(ColourRole::kField), 0, 2.0f * scale());
+  }
+  const float left = box.right() + px(8);
+  text({left, rect.y, rect.right() - left, rect.height}, label);
+  tooltip(id, state, {});
+  return state.pressed;
+}
+
+bool Ui::choiceRow(std::string_view id, const Rect& rect, std::string_view label, bool chosen,
+                   ColourRole swatch) {
+  const Press state = press(id, rect, WidgetKind::kToggle, true);
+  registerWidget(id, label, WidgetKind::kToggle, rect, true, chosen ? "on" : "off");
+  ground(rect, state, {.on = chosen, .quiet = true});
+  const float side = px(14);
+  const Rect box{rect.x + px(4), std::round(rect.centreY() - side / 2), side, side};
+  fill(box, swatch, 3.0f);
+  outline(box, ColourRole::kSlider, 3.0f);
+  const float left = box.right() + px(8);
+  text({left, rect.y, rect.right() - left, rect.height}, label,
+       {.weight = chosen ? Weight::kSemibold : Weight::kRegular});
+  tooltip(id, state, {});
   return state.pressed;
 }
 
@@ -174,7 +221,10 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
   }
   if (setting_.memory.editing == id) return typeNumber(id, rect);
   ImGui::ItemAdd(rectangle(rect), idOf(id));
-  if (!style.readOnly) fill(rect, ColourRole::kField, 3.0f);
+  if (!style.readOnly) {
+    fill(rect, ColourRole::kField, 3.0f);
+    edge(rect);
+  }
   if (takesText && hovered) {
     outline(rect, ColourRole::kControlHovered, 3.0f);
     ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);

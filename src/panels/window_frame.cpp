@@ -27,6 +27,13 @@ void shade(const std::string& id) {
   ImGui::PopStyleVar();
 }
 
+// Dear ImGui clips a window's content short of its sides.
+void edge(Ui& ui, const Rect& all) {
+  ImGui::PushClipRect({all.x, all.y}, {all.right(), all.bottom()}, false);
+  ui.outline(all, ColourRole::kTextDisabled, 6.0f);
+  ImGui::PopClipRect();
+}
+
 }  // namespace
 
 void windowFrame(Ui& ui, const WindowFrame& frame,
@@ -42,7 +49,7 @@ void windowFrame(Ui& ui, const WindowFrame& frame,
   if (frame.modal) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   const ImVec2 corner = ImGui::GetWindowPos();
   const Rect all{corner.x, corner.y, w, h};
-  ui.outline(all, ColourRole::kBorder, 6.0f);
+  edge(ui, all);
   const Rect inner = all.inset(ui.px(16));
   ui.text({inner.x, inner.y, inner.width, ui.px(24)}, frame.heading,
           {.weight = Weight::kSemibold, .mayShorten = true});
@@ -67,7 +74,7 @@ bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place,
   ImGui::SetNextWindowSize({w, h});
   const std::string id = "###" + frame.area;
   ImGui::Begin(id.c_str(), nullptr, kFlags);
-  ui.outline({x, y, w, h}, ColourRole::kBorder, 6.0f);
+  edge(ui, {x, y, w, h});
   const float pad = ui.px(12);
   const float close = ui.px(24);
   const Rect row{x + pad, y + ui.px(8), w - 2 * pad, close};

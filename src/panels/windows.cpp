@@ -88,7 +88,8 @@ void shortcuts(Ui& ui, const Session& session, const Texts& texts, Actions& acti
 }  // namespace
 
 bool hasWindow(std::string_view name) {
-  return name == "shape" || name == "shortcuts" || name == "insert-keys" || isChooser(name);
+  return name == "shape" || name == "settings" || name == "shortcuts" || name == "insert-keys" ||
+         isChooser(name);
 }
 
 bool canRun(const Session& session, std::string_view commandLine) {
@@ -108,6 +109,7 @@ void windows(Ui& ui, const Session& session, const Texts& texts, WindowsMemory& 
   if (session.windowOpen("shape")) shapeWindow(ui, session, memory.shape, actions);
   if (session.windowOpen("insert-keys")) insertKeys(ui, session, actions);
   if (session.windowOpen("shortcuts")) shortcuts(ui, session, texts, actions);
+  if (session.windowOpen("settings")) settingsWindow(ui, session, memory.settings, actions);
   chooser(ui, session, memory.chooser, actions);
   if (session.question()) question(ui, session, actions);
 }

@@ -8,6 +8,7 @@
 #include "edit/texts.hpp"
 #include "panels/actions.hpp"
 #include "panels/chooser.hpp"
+#include "panels/settings_window.hpp"
 #include "panels/shape_window.hpp"
 #include "panels/ui.hpp"
 
@@ -22,6 +23,7 @@ bool canRun(const Session& session, std::string_view commandLine);
 struct WindowsMemory {
   ChooserMemory chooser;
   ShapeWindowMemory shape;
+  SettingsMemory settings;
 };
 
 // All that are open.

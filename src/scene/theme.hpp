@@ -26,6 +26,7 @@ enum class ColourRole : std::uint8_t {
   kControlActive,   // pressed, or a toggle that is on
   kBorder,          // hairlines between surfaces
   kField,           // ground of typed values and of small graphs
+  kEdge,            // line around controls and windows; of controls only where it differs from them
   kViewportTop,     // the viewport's ground, fading downwards …
   kViewportBottom,  // … to this
   kPicture,         // ground of the camera's picture

@@ -69,6 +69,43 @@ TEST(Theme, TextCanBeReadOnEverySurface) {
   }
 }
 
+// Greyed texts need not be read at a glance, but they must be readable.
+TEST(Theme, GreyedTextIsReadable) {
+  for (const ThemeKind kind : kKinds) {
+    const Theme& t = theme(kind);
+    for (const R surface : {R::kWindow, R::kColumn, R::kPanel}) {
+      EXPECT_GE(contrastRatio(t[R::kTextDisabled], t[surface]), 3.0) << name(kind) << name(surface);
+    }
+    // As buttons are greyed.
+    const Colour greyed = mix(t[R::kPanel], t[R::kControl], 0.4);
+    EXPECT_GE(contrastRatio(t[R::kTextDisabled], greyed), 2.8) << name(kind);
+  }
+}
+
+// What tells a control from what it stands on, and its state: sliders, knobs, ticks and their
+// squares (slider on field and panel), the windows' edges; in light and high contrast, where the
+// grounds are all but alike, the edges of buttons and fields too.
+TEST(Theme, ControlsStandOut) {
+  for (const ThemeKind kind : kKinds) {
+    const Theme& t = theme(kind);
+    for (const R surface :
+         {R::kWindow, R::kColumn, R::kPanel, R::kViewportTop, R::kViewportBottom, R::kField}) {
+      for (const R role : {R::kSlider, R::kSliderHandle, R::kText, R::kAccent}) {
+        EXPECT_GE(contrastRatio(t[role], t[surface]), 3.0)
+            << name(kind) << " " << name(role) << " on " << name(surface);
+      }
+    }
+    EXPECT_GE(contrastRatio(t[R::kSliderHandle], t[R::kSliderTrack]), 3.0) << name(kind);
+    for (const R handle : {R::kText, R::kAccent, R::kAim, R::kUp}) {
+      EXPECT_GE(contrastRatio(t[handle], t[R::kHandleFill]), 3.0) << name(kind) << name(handle);
+    }
+    if (kind == ThemeKind::kDark) continue;
+    for (const R surface : {R::kPanel, R::kField}) {
+      EXPECT_GE(contrastRatio(t[R::kEdge], t[surface]), 3.0) << name(kind) << " " << name(surface);
+    }
+  }
+}
+
 TEST(Theme, WhatIsDrawnStandsOutFromTheGround) {
   for (const ThemeKind kind : kKinds) {
     const Theme& t = theme(kind);

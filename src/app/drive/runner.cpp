@@ -83,6 +83,7 @@ std::span<const ScriptRunner::Command> ScriptRunner::commands() {
       Command{"frame_at", 1, 1, "frame_at N", &R::frameAt},
       Command{"print", 1, 1, "print POINTER", &R::print},
       Command{"expect", 2, 3, "expect POINTER VALUE [TOL]", &R::expect},
+      Command{"expect_setup", 2, 3, "expect_setup POINTER VALUE [TOL]", &R::expectSetup},
       Command{"expect_output", 1, 1, "expect_output \"TEXT\"", &R::expectOutput},
       Command{"expect_widget", 2, 2, "expect_widget ID \"VALUE\"", &R::expectWidget},
       Command{"expect_title", 1, 1, "expect_title \"TEXT\"", &R::expectTitle},

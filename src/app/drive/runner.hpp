@@ -61,6 +61,7 @@ class ScriptRunner {
   Result frameAt(Words, const ScriptLine&);
   Result print(Words, const ScriptLine&);
   Result expect(Words, const ScriptLine&);
+  Result expectSetup(Words, const ScriptLine&);
   Result expectOutput(Words, const ScriptLine&);
   Result expectWidget(Words, const ScriptLine&);
   Result expectTitle(Words, const ScriptLine&);
@@ -74,6 +75,7 @@ class ScriptRunner {
   // A session's command that must succeed, then a display frame.
   Result must(const vides::Command& command, std::string_view what);
   tl::expected<std::vector<double>, std::string> numbers(Words words) const;
+  Result expectIn(const std::string& document, Words words) const;
   tl::expected<std::size_t, std::string> index(const ScriptWord& word) const;
   tl::expected<Vec2, std::string> place(Words words) const;
   tl::expected<Vec2, std::string> placeInWidget(Words words) const;

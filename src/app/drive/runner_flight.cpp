@@ -17,8 +17,8 @@ using Json = nlohmann::json;
 
 std::string shownPlace(const Vec2& at) { return fmt::format("{:.6f} {:.6f}", at.x, at.y); }
 
-tl::expected<Json, std::string> valueAt(const Flight& flight, const std::string& pointer) {
-  const Json document = Json::parse(writeVid(flight));
+tl::expected<Json, std::string> valueAt(const std::string& text, const std::string& pointer) {
+  const Json document = Json::parse(text);
   try {
     const Json::json_pointer place(pointer);
     if (!document.contains(place)) {
@@ -171,15 +171,23 @@ ScriptRunner::Result ScriptRunner::frameAt(Words words, const ScriptLine&) {
 }
 
 ScriptRunner::Result ScriptRunner::print(Words words, const ScriptLine&) {
-  const auto value = valueAt(player_.editor().session().flight(), words[0].text);
+  const auto value = valueAt(writeVid(player_.editor().session().flight()), words[0].text);
   if (!value) return Failure(value.error());
   print_(value->is_string() ? value->get<std::string>() : value->dump());
   return {};
 }
 
 ScriptRunner::Result ScriptRunner::expect(Words words, const ScriptLine&) {
+  return expectIn(writeVid(player_.editor().session().flight()), words);
+}
+
+ScriptRunner::Result ScriptRunner::expectSetup(Words words, const ScriptLine&) {
+  return expectIn(writeSetup(player_.editor().session().setup()), words);
+}
+
+ScriptRunner::Result ScriptRunner::expectIn(const std::string& document, Words words) const {
   const std::string& pointer = words[0].text;
-  const auto value = valueAt(player_.editor().session().flight(), pointer);
+  const auto value = valueAt(document, pointer);
   if (!value) return Failure(value.error());
   double tolerance = 0.0;
   if (words.size() > 2) {

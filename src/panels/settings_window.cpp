@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// The settings window.
+#include "panels/settings_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace vides {
+namespace {
+
+constexpr float kRow = 24.0f;
+constexpr float kButton = 26.0f;
+
+// "scene-points" in commands and files, "settings/show_scene_points" on screen.
+std::string widgetName(std::string_view name) {
+  std::string result(name);
+  std::replace(result.begin(), result.end(), '-', '_');
+  return result;
+}
+
+std::vector<ColourRole> elements() {
+  std::vector<ColourRole> roles;
+  for (std::size_t i = 0; i < kColourRoles; ++i) {
+    if (isElement(static_cast<ColourRole>(i))) roles.push_back(static_cast<ColourRole>(i));
+  }
+  return roles;
+}
+
+void heading(Ui& ui, Stack& rows, std::string_view key) {
+  ui.text(rows.row(kRow), ui.words(key), {.weight = Weight::kSemibold});
+}
+
+// The elements in two columns, each with its colour; one of them is chosen.
+void elementList(Ui& ui, Stack& rows, SettingsMemory& memory) {
+  const std::vector<ColourRole> roles = elements();
+  const std::size_t half = (roles.size() + 1) / 2;
+  const float top = rows.y();
+  const std::vector<Rect> columns = split(ui, rows.row(kRow * static_cast<float>(half)), 2, 8.0f);
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    const Rect& column = columns[i / half];
+    const float y = top + ui.px(kRow) * static_cast<float>(i % half);
+    const Rect row{column.x, y, column.width, ui.px(kRow)};
+    const std::string id = "settings/element_" + std::string(name(roles[i]));
+    if (ui.choiceRow(id, row, ui.words(id), memory.element == roles[i], roles[i])) {
+      memory.element = roles[i];
+    }
+  }
+}
+
+// The paper's three sliders.
+void colourSliders(Ui& ui, Stack& rows, const Session& session, const SettingsMemory& memory,
+                   Actions& actions) {
+  const Colour now = themeOf(session.display())[memory.element];
+  const int bytes[3] = {now.red, now.green, now.blue};
+  constexpr const char* kIds[] = {"settings/red", "settings/green", "settings/blue"};
+  for (int i = 0; i < 3; ++i) {
+    const Rect row = rows.row(kRow);
+    const float label = ui.px(48);
+    const float number = ui.px(32);
+    ui.text({row.x, row.y, label, row.height}, ui.words(kIds[i]),
+            {.colour = ColourRole::kTextSecondary});
+    const auto change =
+        ui.slider(kIds[i], {row.x + label, row.y, row.width - label - number, row.height}, bytes[i],
+                  {.least = 0.0, .most = 255.0, .decimals = 0});
+    ui.text({row.right() - number, row.y, number, row.height}, std::to_string(bytes[i]),
+            {.weight = Weight::kSemibold, .align = Align::kRight});
+    if (!change) continue;
+    int next[3] = {bytes[0], bytes[1], bytes[2]};
+    next[i] = static_cast<int>(std::lround(change->value));
+    Command command("set-colour", std::string(name(memory.element)));
+    for (const int byte : next) command.add(byte);
+    actions.run(std::move(command));
+  }
+}
+
+void colours(Ui& ui, Stack& rows, const Session& session, SettingsMemory& memory,
+             Actions& actions) {
+  heading(ui, rows, "settings.colours");
+  elementList(ui, rows, memory);
+  rows.gap(8);
+  colourSliders(ui, rows, session, memory, actions);
+  rows.gap(8);
+  const std::vector<Rect> row = split(ui, rows.row(kButton), 2, 8.0f);
+  const auto& chosen = session.display().colours;
+  const bool own = chosen[static_cast<std::size_t>(memory.element)].has_value();
+  const bool any = std::any_of(chosen.begin(), chosen.end(), [](const auto& c) { return c; });
+  if (ui.button("settings/theme_colour", row[0], {.enabled = own})) {
+    actions.run(Command("reset-colour", std::string(name(memory.element))));
+  }
+  if (ui.button("settings/theme_colours", row[1], {.enabled = any})) {
+    actions.run(Command("reset-colour"));
+  }
+}
+
+void shownElements(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
+  heading(ui, rows, "settings.shown");
+  Display display = session.display();
+  const auto& names = switchNames();
+  const std::size_t half = (names.size() + 1) / 2;
+  const float top = rows.y();
+  const std::vector<Rect> columns = split(ui, rows.row(kRow * static_cast<float>(half)), 2, 8.0f);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Rect& column = columns[i / half];
+    const float y = top + ui.px(kRow) * static_cast<float>(i % half);
+    const std::string id = "settings/show_" + widgetName(names[i]);
+    if (ui.checkBox(id, {column.x, y, column.width, ui.px(kRow)}, *switchOf(display, names[i]))) {
+      actions.run(Command("show-element", std::string(names[i]), "toggle"));
+    }
+  }
+  rows.gap(8);
+  const Rect row = rows.row(kRow);
+  const float field = ui.px(72);
+  ui.text({row.x, row.y, row.width - field - ui.px(8), row.height},
+          ui.words("settings/ghost_every"), {.colour = ColourRole::kTextSecondary});
+  const auto typed =
+      ui.field("settings/ghost_every", {row.right() - field, row.y, field, row.height},
+               display.shown.ghostEvery, {.decimals = 0, .weight = Weight::kSemibold});
+  actions.typed(typed, [](double value) { return Command("ghost-every", value); });
+}
+
+// A label and toggles of which one is on.
+struct Segment {
+  std::string id;
+  std::string label;
+  std::string command;
+  bool on;
+};
+void segments(Ui& ui, Stack& rows, std::string_view labelKey, const std::vector<Segment>& all,
+              Actions& actions) {
+  const Rect row = rows.row(kButton);
+  const float label = ui.px(144);
+  ui.text({row.x, row.y, label - ui.px(8), row.height}, ui.words(labelKey),
+          {.colour = ColourRole::kTextSecondary});
+  const std::vector<Rect> boxes = split(ui, {row.x + label, row.y, row.width - label, row.height},
+                                        static_cast<int>(all.size()));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (ui.button(all[i].id, boxes[i], all[i].label, {.on = all[i].on, .toggle = true})) {
+      if (auto command = parseCommand(all[i].command)) actions.run(std::move(*command));
+    }
+  }
+  rows.gap(4);
+}
+
+Segment named(const Ui& ui, std::string_view id, std::string command, bool on) {
+  return {std::string(id), ui.words(id), std::move(command), on};
+}
+
+void choices(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
+  const Display& d = session.display();
+  const auto theme = [&](const char* id, ThemeKind kind) {
+    return named(ui, id, "theme " + std::string(name(kind)), d.theme == kind);
+  };
+  segments(ui, rows, "settings.theme",
+           {theme("settings/theme_dark", ThemeKind::kDark),
+            theme("settings/theme_light", ThemeKind::kLight),
+            theme("settings/theme_high_contrast", ThemeKind::kHighContrast)},
+           actions);
+  segments(ui, rows, "settings.language",
+           {named(ui, "settings/language_en", "language en", d.language == Language::kEnglish),
+            named(ui, "settings/language_de", "language de", d.language == Language::kGerman)},
+           actions);
+  segments(ui, rows, "settings.units",
+           {named(ui, "settings/units_cube", "units cube", d.units == Units::kCube),
+            named(ui, "settings/units_scene", "units scene", d.units == Units::kScene)},
+           actions);
+  std::vector<Segment> scales;
+  for (const double scale : kOfferedScales) {
+    const std::string percent = std::to_string(std::lround(scale * 100.0));
+    scales.push_back({"settings/scale_" + percent,
+                      scale > 0.0 ? percent + " %" : ui.words("settings/scale_0"),
+                      format(Command("content-scale", scale)), d.contentScale == scale});
+  }
+  segments(ui, rows, "settings.scale", scales, actions);
+}
+
+void lastRow(Ui& ui, const Rect& row, Actions& actions) {
+  const std::vector<Rect> boxes = split(ui, row, 3, 8.0f);
+  if (ui.button("settings/reset", boxes[0])) actions.run(Command("reset-setup"));
+  if (ui.button("settings/load", boxes[1])) actions.run(Command("load-setup"));
+  if (ui.button("settings/save", boxes[2])) actions.run(Command("save-setup"));
+}
+
+}  // namespace
+
+void settingsWindow(Ui& ui, const Session& session, SettingsMemory& memory, Actions& actions) {
+  // To the left, so that changes are seen in the viewport.
+  const FloatingFrame frame{"settings", 640.0f,   520.0f, ui.words("settings/heading"),
+                            ui.px(16),  ui.px(36)};
+  const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
+    const std::vector<Rect> columns = split(ui, room, 2, 24.0f);
+    Stack left(ui, columns[0].x, room.y, columns[0].width);
+    colours(ui, left, session, memory, actions);
+    Stack right(ui, columns[1].x, room.y, columns[1].width);
+    shownElements(ui, right, session, actions);
+    Stack below(ui, room.x, std::max(left.y(), right.y()) + ui.px(16), room.width);
+    choices(ui, below, session, actions);
+    lastRow(ui, {room.x, room.bottom() - ui.px(kButton), room.width, ui.px(kButton)}, actions);
+  });
+  if (!stays) actions.run(Command("close-window", "settings"));
+}
+
+}  // namespace vides
