@@ -185,7 +185,7 @@ void lastRow(Ui& ui, const Rect& row, Actions& actions) {
 
 void settingsWindow(Ui& ui, const Session& session, SettingsMemory& memory, Actions& actions) {
   // To the left, so that changes are seen in the viewport.
-  const FloatingFrame frame{"settings", 640.0f,   520.0f, ui.words("settings/heading"),
+  const FloatingFrame frame{"settings", 640.0f,   528.0f, ui.words("settings/heading"),
                             ui.px(16),  ui.px(36)};
   const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
     const std::vector<Rect> columns = split(ui, room, 2, 24.0f);

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "edit/command_table.hpp"
+#include "edit/display.hpp"
 #include "edit/shortcuts.hpp"
 #include "flight/utf8.hpp"
 
@@ -78,6 +80,21 @@ TEST(Texts, EveryCommandHasATitleAndEveryGroupOfShortcutsTo) {
   }
   for (const Shortcut& shortcut : shortcutTable()) {
     EXPECT_NE(texts.words("shortcuts." + shortcut.group), "") << shortcut.group;
+  }
+}
+
+// The settings window makes its keys from names: all of them must be there.
+TEST(Texts, EverySwitchAndEveryElementHasALabel) {
+  const Texts texts(Language::kEnglish);
+  for (const std::string_view switchName : switchNames()) {
+    std::string name(switchName);
+    std::replace(name.begin(), name.end(), '-', '_');
+    EXPECT_NE(texts.words("settings/show_" + name), "") << name;
+  }
+  for (std::size_t i = 0; i < kColourRoles; ++i) {
+    const auto role = static_cast<ColourRole>(i);
+    if (!isElement(role)) continue;
+    EXPECT_NE(texts.words("settings/element_" + std::string(name(role))), "") << name(role);
   }
 }
 
