@@ -25,7 +25,10 @@ int runFrames(const FramesCommand& command) {
     Progress progress("Writing frames", toScreen);
     writeFrames(
         evaluation, command.options, [&](std::string_view piece) { return output.write(piece); },
-        [&](std::int64_t done, std::int64_t all) { progress.report(done, all); });
+        [&](std::int64_t done, std::int64_t all) {
+          progress.report(done, all);
+          return true;
+        });
   }
   return output.finish() ? kExitDone : kFailed;
 }

@@ -39,6 +39,8 @@ bool canUndo(const Session& s) { return s.undoName().has_value(); }
 bool canRedo(const Session& s) { return s.redoName().has_value(); }
 bool hasPath(const Session& s) { return !s.path().empty(); }
 bool hasFreeCamera(const Session& s) { return s.freeCamera().has_value(); }
+bool writesFrames(const Session& s) { return s.frameJob() != nullptr; }
+bool writesNothing(const Session& s) { return s.frameJob() == nullptr; }
 bool hasQuestion(const Session& s) { return s.question().has_value(); }
 bool hasShapeWindow(const Session& s) { return s.inWindow() && s.windowOpen("shape"); }
 bool hasRecent(const Session& s) { return !s.recentFiles().empty(); }
@@ -66,7 +68,7 @@ void addFileCommands(Table& t) {
   addExclusive(t, "quit", {}, Acts::quit);
   addAct(t, "answer",
          {choice("CHOICE", {"save", "discard", "overwrite", "save-as", "enlarge", "recover",
-                            "forget", "later", "cancel"})},
+                            "forget", "later", "stop", "cancel"})},
          Acts::answer, hasQuestion);
   addExclusive(t, "import-scene", {optional(text("FILE"))}, Acts::addScene);
   addEdit(t, "add-scene",
@@ -220,6 +222,19 @@ std::vector<std::string> elementChoices() {
   return names;
 }
 
+void addFrameCommands(Table& t) {
+  std::vector<std::string> formats;
+  for (const FrameFormat format : kFrameFormats) formats.emplace_back(name(format));
+  addAct(t, "frames-format", {choice("FORMAT", formats)}, Acts::framesFormat);
+  addAct(t, "frames-space", {choice("SPACE", {"cube", "world"})}, Acts::framesSpace);
+  // Frames FIRST <= n < END, as on the command line; none: all.
+  addAct(t, "frames-range", {optional(index("FIRST")), index("END")}, Acts::framesRange);
+  addAct(t, "frames-first-number", {number("NUMBER")}, Acts::framesFirstNumber);
+  addAct(t, "frames-file", {text("FILE")}, Acts::framesFile);
+  addExclusive(t, "write-frames", {}, Acts::writeFrames, writesNothing);
+  addAct(t, "cancel-frames", {}, Acts::cancelFrames, writesFrames);
+}
+
 void addDisplayCommands(Table& t) {
   const std::vector<std::string> windows = {"shape",         "speed",
                                             "flight",        "insert-keys",
@@ -258,6 +273,7 @@ Table makeTable() {
   addPlayheadCommands(table);
   addViewCommands(table);
   addCameraCommands(table);
+  addFrameCommands(table);
   addDisplayCommands(table);
   return table;
 }

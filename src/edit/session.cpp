@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "edit/command_table.hpp"
+#include "edit/frame_job.hpp"
 #include "flight/validation.hpp"
 #include "io/vid_reader.hpp"
 
@@ -51,6 +52,11 @@ void Session::reset(Flight flight) {
   freeCamera_.reset();
   view_.throughCamera = false;
   output_ = {};
+  // Another flight: all of its frames, into a file of its own; format and space are kept.
+  frameOutput_.options = {.format = frameOutput_.options.format,
+                          .space = frameOutput_.options.space};
+  frameOutput_.file.clear();
+  framesAgreed_.clear();
 }
 
 bool Session::beginWithSample(const std::string& path) {
@@ -295,6 +301,7 @@ void Session::makeCurrent(const Marks& marks) {
 
 void Session::advance(double now) {
   playback_.advance(now, state_.evaluation.frameCount(), state_.flight.frameRate);
+  collectFrames();
 }
 
 Camera Session::camera() const {

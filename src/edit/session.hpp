@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@
 #include "edit/disk_file.hpp"
 #include "edit/display.hpp"
 #include "edit/edit_state.hpp"
+#include "edit/frame_output.hpp"
 #include "edit/history.hpp"
 #include "edit/layout.hpp"
 #include "edit/marks.hpp"
@@ -29,6 +31,8 @@
 #include "flight/flight.hpp"
 
 namespace vides {
+
+class FrameJob;
 
 enum class MessageKind {
   kNumbers,  // where the current key is, and the like
@@ -49,6 +53,8 @@ struct Question {
     kChangedOnDisk,  // choices overwrite, save-as, cancel
     kOutsideCube,    // choices enlarge, cancel
     kRecover,        // choices recover, forget, later
+    kFramesExist,    // choices overwrite, cancel
+    kWritingFrames,  // choices stop, cancel; goes on by itself when they are written
   };
   Kind kind = Kind::kUnsaved;
   Text text;
@@ -160,6 +166,14 @@ class Session {
   void setSetup(const Setup& setup);
   void setView(const ViewState& view) { view_ = view; }
 
+  // Output → Frames…: its settings, the whole path of its file, and the writing, null where nothing
+  // is written. What came of it is told by the next advance() after it.
+  const FrameOutput& frameOutput() const { return frameOutput_; }
+  std::string framesFile() const;
+  const FrameJob* frameJob() const { return frameJob_.get(); }
+  // Waits for the frames that are being written.
+  void finishFrames();
+
   // The output line: the last message, else the current numbers.
   OutputLine output() const;
   void say(MessageKind kind, Text text);
@@ -213,6 +227,7 @@ class Session {
   // Ends a gesture; a window's gesture that it interrupted begins again.
   void endGesture();
   void reset(Flight flight);
+  void collectFrames();
 
   SessionSeams seams_;
   EditState state_;
@@ -241,6 +256,9 @@ class Session {
   std::vector<std::string> windows_;
   std::vector<std::string> recentFiles_;
   std::string ownClipboard_;
+  FrameOutput frameOutput_;
+  std::string framesAgreed_;  // the file that may be overwritten unasked
+  std::unique_ptr<FrameJob> frameJob_;
   bool quit_ = false;
   bool fullScreen_ = false;
 };

@@ -103,6 +103,15 @@ struct SessionActions {
   static void beginShape(Session& session);
   static void endShape(Session& session);
 
+  // Output → Frames….
+  static Result framesFormat(Session& session, const Arguments& arguments);
+  static Result framesSpace(Session& session, const Arguments& arguments);
+  static Result framesRange(Session& session, const Arguments& arguments);
+  static Result framesFirstNumber(Session& session, const Arguments& arguments);
+  static Result framesFile(Session& session, const Arguments& arguments);
+  static Result writeFrames(Session& session, const Arguments& arguments);
+  static Result cancelFrames(Session& session, const Arguments& arguments);
+
   // Parts of the above, without questions.
   static Result openFile(Session& session, const std::string& path);
   static Result saveFile(Session& session, const std::string& path);

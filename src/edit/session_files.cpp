@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "edit/clipboard_text.hpp"
+#include "edit/frame_job.hpp"
 #include "edit/key_edits.hpp"
 #include "edit/session_actions.hpp"
 
@@ -80,6 +81,17 @@ Result SessionActions::answer(Session& session, const Arguments& arguments) {
     return {};
   }
   if (question.kind == Question::Kind::kRecover) return answerRecovery(session, choice);
+  if (question.kind == Question::Kind::kFramesExist) {
+    session.afterAnswer_.reset();
+    session.framesAgreed_ = session.framesFile();
+    return writeFrames(session, arguments);
+  }
+  if (choice == "stop") {
+    session.afterAnswer_.reset();
+    if (session.frameJob_) session.frameJob_->cancel();
+    session.finishFrames();
+    return quit(session, arguments);
+  }
   if (choice == "overwrite") return saveFile(session, session.path());
   if (choice == "save-as") {
     openWindow(session, "chooser-save");
@@ -216,6 +228,12 @@ Result SessionActions::revert(Session& session, const Arguments&) {
 }
 
 Result SessionActions::quit(Session& session, const Arguments&) {
+  if (session.frameJob_) {
+    session.question_ = Question{
+        Question::Kind::kWritingFrames, Text("question.writing-frames"), {"stop", "cancel"}};
+    session.afterAnswer_ = Command("quit");
+    return {};
+  }
   return askBeforeLoss(session, Command("quit"));
 }
 

@@ -62,7 +62,7 @@ bool writeFrames(const Evaluation& evaluation, const FrameOptions& options, cons
       end = text->write(frame, end);
       if (end - piece.get() >= static_cast<std::ptrdiff_t>(kPieceBytes) && !flush()) return false;
     }
-    if (progress) progress(walk.position() - start, last - start);
+    if (progress && !progress(walk.position() - start, last - start)) return false;
   }
   if (!flush()) return false;
   const std::string foot = text->foot();

@@ -35,10 +35,10 @@ struct FrameOptions {
   std::int64_t firstNumber = 1;  // chan: the number that frame 0 of the flight gets
 };
 
-// Told now and then how many of how many frames are done.
-using FrameProgress = std::function<void(std::int64_t done, std::int64_t all)>;
+// Told now and then how many of how many frames are done; false stops it.
+using FrameProgress = std::function<bool(std::int64_t done, std::int64_t all)>;
 
-// False if the sink stopped it.
+// False if the sink or the progress stopped it.
 bool writeFrames(const Evaluation& evaluation, const FrameOptions& options, const TextSink& sink,
                  const FrameProgress& progress = {});
 

@@ -313,10 +313,23 @@ TEST(FrameWriter, HandsOnPiecesAndReportsProgress) {
         EXPECT_GT(done, reported);
         EXPECT_EQ(all, evaluation.frameCount());
         reported = done;
+        return true;
       }));
   EXPECT_GT(pieces, 100u);
   EXPECT_LT(largest, 100'000u);  // streamed, never all held
   EXPECT_GT(reported, evaluation.frameCount() / 2);
+}
+
+// Also before the first piece: a .chan is followed from frame 0 on.
+TEST(FrameWriter, TheProgressCanStopIt) {
+  const Evaluation evaluation(flightNamed("random-103"));
+  FrameOptions options = as(FrameFormat::kChan);
+  options.first = evaluation.frameCount() - 1;
+  int asked = 0;
+  EXPECT_FALSE(writeFrames(
+      evaluation, options, [](std::string_view) { return true; },
+      [&](std::int64_t, std::int64_t) { return ++asked < 2; }));
+  EXPECT_EQ(asked, 2);
 }
 
 TEST(FrameWriter, IsTheSameInGerman) {
