@@ -206,6 +206,7 @@ bool Editor::Parts::pass(const FrameInput& given) {
   const bool changed = !actions.steps.empty() || actions.noNumber || actions.layout ||
                        (actions.view && *actions.view != view);
   apply(actions);
+  if (options.waitForWork) session.finishFrames();
   if (actions.view) {
     ViewState state = session.view();
     state.view = *actions.view;
@@ -236,6 +237,7 @@ FrameOutcome Editor::frame(const FrameInput& given) {
     return p.outcome();
   }
   p.input.feed(io, [&](const InputEvent& e) { return p.notice(e); });
+  if (p.options.waitForWork) p.session.finishFrames();
   // What a panel asked for is on screen in the same display frame.
   if (p.pass(given)) {
     io.DeltaTime = 1e-4f;
@@ -266,7 +268,8 @@ FrameOutcome Editor::Parts::outcome() {
     result.nextFrameIn = std::min(result.nextFrameIn.value_or(seconds), std::max(0.0, seconds));
   };
   if (input.waiting()) want(0.0);
-  if (settling > 0 || glide || graphs.measuring() || cameraTools.walking()) want(kDisplayFrame);
+  if (settling > 0 || glide || graphs.measuring() || cameraTools.walking() || session.frameJob())
+    want(kDisplayFrame);
   if (const auto due = session.playback().nextFrameAt(session.flight().frameRate)) {
     want(*due - time);
   }

@@ -29,6 +29,8 @@ struct EditorOptions {
   std::function<void(const std::string&)> setClipboard;
   // View changes by key glide in 150 ms; off where a script wants to see them at once.
   bool glide = true;
+  // Work in threads is waited for in the display frame that began it: scripts see what came of it.
+  bool waitForWork = false;
   FontSet fonts;  // built ahead, or empty
 };
 

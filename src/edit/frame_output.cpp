@@ -68,7 +68,11 @@ std::string frameFile(const FrameOutput& output, const std::string& flightPath,
   std::error_code error;
   const fs::path flight = flightPath.empty() ? fs::path() : fs::absolute(flightPath, error);
   const fs::path folder = flight.empty() ? fs::current_path(error) : flight.parent_path();
-  if (!output.file.empty()) return typedPath(folder, output.file).string();
+  if (!output.file.empty()) {
+    const fs::path file = typedPath(folder, output.file);
+    const bool ended = file.has_extension() || fs::exists(fs::symlink_status(file, error));
+    return file.string() + std::string(ended ? "" : endingOf(output.options.format));
+  }
   const std::string stem = flight.empty() ? untitled : flight.stem().string();
   return (folder / (stem + std::string(endingOf(output.options.format)))).string();
 }

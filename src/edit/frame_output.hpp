@@ -31,7 +31,8 @@ std::int64_t frameCountOf(const FrameOptions& options, std::int64_t frames);
 bool takesAll(const FrameOptions& options, std::int64_t frames);
 
 // The file for a flight's frames: the one that was chosen, its name in the flight's folder; else
-// the flight's own name (or `untitled`) with the format's ending.
+// the flight's own name (or `untitled`). Without an ending, and where no such file exists, it gets
+// the format's.
 std::string frameFile(const FrameOutput& output, const std::string& flightPath,
                       const std::string& untitled);
 // The same name for another format: its ending, where it is one of a format, changes.

@@ -76,6 +76,7 @@ Result SessionActions::framesFirstNumber(Session& session, const Arguments& argu
 
 Result SessionActions::framesFile(Session& session, const Arguments& arguments) {
   session.frameOutput_.file = arguments.text(0);
+  hideWindow(session, "chooser-frames");
   return {};
 }
 

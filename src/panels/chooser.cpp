@@ -20,36 +20,34 @@ using Mode = ChooserMemory::Mode;
 
 constexpr float kRow = 24.0f;
 
+constexpr std::string_view kFlights[] = {".vid"};
+constexpr std::string_view kScenes[] = {".obj"};
+constexpr std::string_view kSetups[] = {".json"};
+constexpr std::string_view kFrames[] = {".txt", ".csv", ".json", ".chan"};
+
 // What can be chosen, and what happens to it.
 struct Kind {
   std::string_view window;
   const char* command;
   const char* heading;
   const char* verb;
-  std::array<std::string_view, 1> endings;
-  bool saves = false;     // a new name may be given; an existing one only after the question
+  std::span<const std::string_view> endings;
+  bool saves = false;     // a new name may be given
   bool endsIt = true;     // an ending that was left out is put there
   const char* name = "";  // to begin with
+  bool asks = true;       // before an existing file is given as a new name
 };
 constexpr Kind kKinds[] = {
-    {"chooser-open", "open", "chooser.heading.open", "chooser.open", {".vid"}},
-    {"chooser-save", "save-as", "chooser.heading.save", "answer.save", {".vid"}, true},
-    {"chooser-import",
-     "import-scene",
-     "chooser.heading.import",
-     "chooser.import",
-     {".obj"},
-     false,
+    {"chooser-open", "open", "chooser.heading.open", "chooser.open", kFlights},
+    {"chooser-save", "save-as", "chooser.heading.save", "answer.save", kFlights, true},
+    {"chooser-import", "import-scene", "chooser.heading.import", "chooser.import", kScenes, false,
      false},
-    {"chooser-setup", "load-setup", "chooser.heading.setup", "chooser.load", {".json"}},
-    {"chooser-save-setup",
-     "save-setup",
-     "chooser.heading.save-setup",
-     "answer.save",
-     {".json"},
-     true,
-     true,
-     "setup.json"},
+    {"chooser-setup", "load-setup", "chooser.heading.setup", "chooser.load", kSetups},
+    {"chooser-save-setup", "save-setup", "chooser.heading.save-setup", "answer.save", kSetups, true,
+     true, "setup.json"},
+    // Only when they are written is a file overwritten, and asked about.
+    {"chooser-frames", "frames-file", "chooser.heading.frames", "chooser.choose", kFrames, true,
+     false, "", false},
 };
 
 const Kind& kindOf(std::string_view window) {
@@ -96,6 +94,8 @@ void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::str
   memory.before = session.output();
   if (*kindOf(memory).name != '\0') {
     rename(memory, kindOf(memory).name);
+  } else if (window == "chooser-frames") {
+    rename(memory, fs::path(session.framesFile()).filename().string());
   } else if (saves(memory)) {
     const std::string file = fs::path(session.path()).filename().string();
     rename(memory, file.empty() ? ui.words("title.untitled") + ".vid" : file);
@@ -137,8 +137,9 @@ void accept(Ui& ui, ChooserMemory& memory, Actions& actions) {
   if (fs::is_directory(file, error)) return enter(memory, file);
   const std::string_view ending = kindOf(memory).endings.front();
   if (saves(memory)) {
-    if (!file.string().ends_with(ending)) file += ending;
-    if (!fs::exists(fs::symlink_status(file, error))) return choose(memory, file, actions);
+    if (kindOf(memory).endsIt && !file.string().ends_with(ending)) file += ending;
+    if (!kindOf(memory).asks || !fs::exists(fs::symlink_status(file, error)))
+      return choose(memory, file, actions);
     memory.mode = Mode::kOverwrite;
     memory.overwrites = file.string();
     return;

@@ -82,6 +82,7 @@ enum class Icon {
 struct UiMemory {
   std::string editing;  // identifier of the field or slider that takes text
   std::string buffer;   // what was typed
+  std::string before;   // what stood there
   bool editingStarted = false;
   std::string dragging;       // slider
   double dragStart = 0.0;     // its value at the press
@@ -160,6 +161,12 @@ class Ui {
     std::optional<std::string> refused;  // the text that is no number
   };
   Typed field(std::string_view id, const Rect& rect, double value, const FieldStyle& style = {});
+  // The same for a text of any length; its beginning is shown, of a path its end. Nothing where it
+  // stays the same.
+  std::optional<std::string> textField(std::string_view id, const Rect& rect,
+                                       std::string_view value, bool path = false);
+  // Tells the registry of buttons of which one is on: theirs are ID_VALUE.
+  void choice(std::string_view id, const Rect& rect, std::string_view value);
   // An area with a meaning of its own (a graph, the viewport); true while the pointer is over it.
   struct AreaState {
     bool hovered = false;

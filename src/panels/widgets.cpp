@@ -163,6 +163,7 @@ bool Ui::choiceRow(std::string_view id, const Rect& rect, std::string_view label
 
 void Ui::startTyping(std::string_view id, std::string words) {
   setting_.memory.editing = id;
+  setting_.memory.before = words;
   setting_.memory.buffer = std::move(words);
   setting_.memory.editingStarted = false;
 }
@@ -170,7 +171,7 @@ void Ui::startTyping(std::string_view id, std::string words) {
 // Nothing while it is typed; then the text, or nothing with `ended` where it was given up.
 std::optional<std::string> Ui::textEditor(std::string_view id, const Rect& rect, bool& ended) {
   UiMemory& memory = setting_.memory;
-  constexpr std::size_t kMost = 256;
+  constexpr std::size_t kMost = 4096;  // bytes: a name of 1,000 characters
   char buffer[kMost] = {};
   memory.buffer.copy(buffer, kMost - 1);
   ImFont* used = font(Weight::kRegular);
@@ -193,7 +194,10 @@ std::optional<std::string> Ui::textEditor(std::string_view id, const Rect& rect,
   if (!ended) return std::nullopt;
   memory.editing.clear();
   memory.editingStarted = false;
-  const bool given = entered || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  // Who only looked has typed nothing: what is shown may be rounded.
+  const bool given =
+      (entered || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) &&
+      memory.buffer != memory.before;
   return given ? std::optional(memory.buffer) : std::nullopt;
 }
 
@@ -245,6 +249,36 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
         .align = Align::kRight});
   tooltip(id, {.hovered = hovered, .held = false, .pressed = false}, {});
   return {};
+}
+
+std::optional<std::string> Ui::textField(std::string_view id, const Rect& rect,
+                                         std::string_view value, bool path) {
+  const bool hovered = over(rect);
+  registerWidget(id, words(id), WidgetKind::kField, rect, true, value);
+  if (setting_.memory.editing != id && hovered && ImGui::IsMouseClicked(0)) {
+    startTyping(id, std::string(value));
+  }
+  if (setting_.memory.editing == id) {
+    bool ended = false;
+    return textEditor(id, rect, ended);
+  }
+  ImGui::ItemAdd(rectangle(rect), idOf(id));
+  fill(rect, ColourRole::kField, 3.0f);
+  if (hovered) {
+    outline(rect, ColourRole::kControlHovered, 3.0f);
+    ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+  }
+  const float inset = px(6);
+  const Rect room{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
+  std::string shownText(value);
+  for (std::size_t slash = 0; path && textWidth(shownText) > room.width;) {
+    slash = value.find('/', slash + 1);
+    if (slash == std::string_view::npos) break;
+    shownText = "\u2026" + std::string(value.substr(slash));
+  }
+  text(room, shownText, {.mayShorten = true});
+  tooltip(id, {.hovered = hovered, .held = false, .pressed = false}, {});
+  return std::nullopt;
 }
 
 std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, double value,

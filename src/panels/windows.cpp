@@ -6,6 +6,8 @@
 
 #include "edit/command_table.hpp"
 #include "edit/shortcuts.hpp"
+#include "panels/flight_window.hpp"
+#include "panels/frames_window.hpp"
 #include "panels/window_frame.hpp"
 
 namespace vides {
@@ -88,8 +90,10 @@ void shortcuts(Ui& ui, const Session& session, const Texts& texts, Actions& acti
 }  // namespace
 
 bool hasWindow(std::string_view name) {
-  return name == "shape" || name == "settings" || name == "shortcuts" || name == "insert-keys" ||
-         isChooser(name);
+  constexpr std::string_view kWindows[] = {"shape",    "flight",    "frames",
+                                           "settings", "shortcuts", "insert-keys"};
+  return isChooser(name) ||
+         std::find(std::begin(kWindows), std::end(kWindows), name) != std::end(kWindows);
 }
 
 bool canRun(const Session& session, std::string_view commandLine) {
@@ -107,6 +111,8 @@ bool canRun(const Session& session, std::string_view commandLine) {
 void windows(Ui& ui, const Session& session, const Texts& texts, WindowsMemory& memory,
              Actions& actions) {
   if (session.windowOpen("shape")) shapeWindow(ui, session, memory.shape, actions);
+  if (session.windowOpen("flight")) flightWindow(ui, session, memory.flight, actions);
+  if (session.windowOpen("frames")) framesWindow(ui, session, memory.frames, actions);
   if (session.windowOpen("insert-keys")) insertKeys(ui, session, actions);
   if (session.windowOpen("shortcuts")) shortcuts(ui, session, texts, actions);
   if (session.windowOpen("settings")) settingsWindow(ui, session, memory.settings, actions);

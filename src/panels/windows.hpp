@@ -11,6 +11,7 @@
 #include "panels/settings_window.hpp"
 #include "panels/shape_window.hpp"
 #include "panels/ui.hpp"
+#include "panels/window_frame.hpp"
 
 namespace vides {
 
@@ -24,6 +25,7 @@ struct WindowsMemory {
   ChooserMemory chooser;
   ShapeWindowMemory shape;
   SettingsMemory settings;
+  WindowPlace flight, frames;
 };
 
 // All that are open.

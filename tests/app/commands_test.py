@@ -46,6 +46,29 @@ class Frames(ProgramTest):
             self.assertEqual(out.stat().st_mode & 0o777, 0o640)
         self.assertEqual(len(list(self.folder.iterdir())), 4)
 
+    def test_the_editor_writes_the_same(self):
+        """Output -> Frames…, operated widget by widget, against the same options here."""
+        choices = (("vides", "cube", 0, 777, 1), ("csv", "world", 3, 20, 1),
+                   ("json", "world", 700, 776, 1), ("chan", "world", 10, 50, 1001),
+                   ("chan", "cube", 0, 0, -5))
+        script = [f'open "{PYRAMID}"', "do set-space 1 2 3 40", 'save "moved.vid"']
+        for i, (form, space, first, last, number) in enumerate(choices):
+            script += ["click menu/output/frames", "frame 2", "click frames/all",
+                       f"set frames/format {form}", f"set frames/space {space}",
+                       f"set frames/last {last}", f"set frames/first {first}",
+                       f'set frames/file "{i}.out"']
+            if form == "chan":
+                script.append(f"set frames/first_number {number}")
+            script += ["click frames/write", f'expect_output "{i}.out"', "frame 2"]
+        (self.folder / "script.vds").write_text("\n".join(script))
+        self.output_of("drive", "--script", "script.vds")
+        for i, (form, space, first, last, number) in enumerate(choices):
+            chan = [f"--first-frame={number}"] if form == "chan" else []
+            wanted = self.output_of("frames", "moved.vid", f"--format={form}", f"--space={space}",
+                                    f"--range={first}:{last + 1}", *chan)
+            self.assertGreater(len(wanted), 40)
+            self.assertEqual((self.folder / f"{i}.out").read_bytes(), wanted, (form, space))
+
     def test_same_bytes_on_two_runs(self):
         for form in ("vides", "csv", "json", "chan"):
             self.assertEqual(self.output_of("frames", PYRAMID, f"--format={form}"),

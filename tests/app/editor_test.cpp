@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "app/drive/player.hpp"
 #include "edit/camera_tools.hpp"
 #include "host/open_host.hpp"
+#include "support/files.hpp"
 #include "support/picture_check.hpp"
 
 namespace vides {
@@ -122,6 +125,35 @@ TEST(Editor, WalkingAsksForDisplayFrames) {
   player.button(PointerButton::kRight, false);
   for (int i = 0; i < 60 && player.wantsFrame(); ++i) player.frame();
   EXPECT_FALSE(player.wantsFrame());
+}
+
+// Frames are written beside the window, which goes on: 50 million would take it a minute.
+TEST(Editor, GoesOnWhileFramesAreWritten) {
+  const test::TemporaryFolder folder;
+  Stage one = stage({1280, 800}, 1.0);
+  one.player.reset();
+  one.player = std::move(*Player::create(*one.host, false));
+  Player& player = *one.player;
+  Session& session = player.editor().session();
+  for (const std::string& line :
+       {std::string("set-duration 50000"), std::string("set-frame-rate 1000"),
+        "frames-file \"" + (folder / "frames.csv").string() + "\"",
+        std::string("show-window frames"), std::string("write-frames")}) {
+    ASSERT_TRUE(player.perform(*parseCommand(line))) << line;
+  }
+  player.frame();
+  ASSERT_NE(session.frameJob(), nullptr);
+  EXPECT_NE(player.editor().widgets().find("frames/progress"), nullptr);
+  EXPECT_FALSE(player.editor().widgets().find("frames/write")->enabled);
+  EXPECT_TRUE(player.unfinished());  // how far it is goes on being shown
+  ASSERT_TRUE(player.perform(Command("set-zoom", 40.0)));
+  EXPECT_EQ(session.currentOrientation().zoom, 40.0);
+  ASSERT_TRUE(player.clickWidget("frames/cancel"));
+  session.finishFrames();
+  player.frame();
+  EXPECT_EQ(session.frameJob(), nullptr);
+  EXPECT_EQ(player.editor().widgets().find("frames/progress"), nullptr);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(Editor, SamePixelsTwice) {

@@ -37,6 +37,8 @@ TEST(FrameOutput, TheFileStandsBesideTheFlight) {
   EXPECT_EQ(frameFile(output, "", "untitled"), (fs::current_path() / "untitled.chan").string());
   output.file = "other.x";
   EXPECT_EQ(frameFile(output, "/a/b/flight.vid", "untitled"), "/a/b/other.x");
+  output.file = "other";
+  EXPECT_EQ(frameFile(output, "/a/b/flight.vid", "untitled"), "/a/b/other.chan");
   output.file = "/c/other.x";
   EXPECT_EQ(frameFile(output, "/a/b/flight.vid", "untitled"), "/c/other.x");
 }
@@ -100,7 +102,7 @@ TEST(FrameOutput, WritesWhatTheWriterGives) {
   run(session, "set-space 1 2 3 4");
   for (const char* format : {"vides", "csv", "json", "chan"}) {
     for (const char* space : {"cube", "world"}) {
-      const std::string file = folder.path().string() + "/" + format + space;
+      const std::string file = folder.path().string() + "/" + format + "." + space;
       run(session, std::string("frames-format ") + format);
       run(session, std::string("frames-space ") + space);
       run(session, "frames-range 3 77");

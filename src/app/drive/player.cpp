@@ -23,12 +23,14 @@ std::string parentMenu(const std::string& id) {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<Player>, std::string> Player::create(OffscreenHost& host) {
+tl::expected<std::unique_ptr<Player>, std::string> Player::create(OffscreenHost& host,
+                                                                  bool waitForWork) {
   host.makeCurrent();
   EditorOptions options;
   options.clipboard = [&host] { return host.clipboard(); };
   options.setClipboard = [&host](const std::string& text) { host.setClipboard(text); };
   options.glide = false;
+  options.waitForWork = waitForWork;
   auto editor = Editor::create(host.gl(), std::move(options));
   if (!editor) return Failure(editor.error());
   return std::unique_ptr<Player>(new Player(host, std::move(*editor)));
@@ -182,6 +184,9 @@ tl::expected<void, std::string> Player::setWidget(const std::string& id, const s
       return {};
     }
     case WidgetKind::kChoice: {
+      // Its entries are on screen, or come there by a click.
+      if (editor_->widgets().find(id + "_" + value) != nullptr)
+        return clickWidget(id + "_" + value);
       click(x, y);
       frame();
       return clickWidget(id + "_" + value);
@@ -192,7 +197,7 @@ tl::expected<void, std::string> Player::setWidget(const std::string& id, const s
   }
   frame();
   tap(KeyboardKey::kA, {.control = true});
-  type(value);
+  value.empty() ? tap(KeyboardKey::kDelete, {}) : type(value);
   if (widget->kind == WidgetKind::kEntry) {
     frame();
   } else {

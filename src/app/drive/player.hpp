@@ -16,8 +16,10 @@ namespace vides {
 
 class Player {
  public:
-  // Error: what OpenGL refused.
-  static tl::expected<std::unique_ptr<Player>, std::string> create(OffscreenHost& host);
+  // Error: what OpenGL refused. Work in threads is waited for in the display frame that began it,
+  // unless somebody wants to see it going on.
+  static tl::expected<std::unique_ptr<Player>, std::string> create(OffscreenHost& host,
+                                                                   bool waitForWork = true);
 
   Editor& editor() { return *editor_; }
   const std::string& title() const { return outcome_.title; }
