@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// File → Flight….
+// The fields of File → Flight…, each with its command.
 #include "panels/flight_window.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output → Frames….
+// The rows of Output → Frames… and the progress of the writing.
 #include "panels/frames_window.hpp"
 
 #include <algorithm>
