@@ -242,7 +242,8 @@ void addDisplayCommands(Table& t) {
                                             "colours",       "shortcuts",
                                             "about",         "chooser-open",
                                             "chooser-save",  "chooser-import",
-                                            "chooser-setup", "chooser-save-setup", "chooser-frames"};
+                                            "chooser-setup", "chooser-save-setup",
+                                            "chooser-frames"};
   addAct(t, "show-element", {choice("ELEMENT", switchChoices()), onOff()}, Acts::showElement);
   addAct(t, "set-colour",
          {choice("ELEMENT", elementChoices()), index("RED"), index("GREEN"), index("BLUE")},
