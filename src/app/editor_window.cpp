@@ -59,6 +59,7 @@ ViewportState Editor::Parts::viewportState() const {
   state.current = session.current();
   state.selected = session.selected().keys();
   state.playhead = session.frame();
+  state.freeCamera = session.freeCamera();
   state.hovered = tools.hovered();
   state.drag = tools.drag();
   return state;

@@ -96,6 +96,7 @@ Result SessionActions::writeFrames(Session& session, const Arguments&) {
                                  Text("chooser.overwrite", {nameOf(file)}),
                                  {"overwrite", "cancel"}};
     session.afterAnswer_ = Command("write-frames");
+    session.output_ = {};  // of what was refused before
     return {};
   }
   session.framesAgreed_ = file;

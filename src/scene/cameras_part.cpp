@@ -87,7 +87,9 @@ void CamerasPart::findGhosts(const ViewportContext& context) {
 }
 
 void CamerasPart::addPlayhead(const ViewportContext& context) {
-  const Camera camera = context.input.evaluation.frame(context.input.state.playhead).camera;
+  const ViewportState& state = context.input.state;
+  const Camera camera =
+      state.freeCamera ? *state.freeCamera : context.input.evaluation.frame(state.playhead).camera;
   const double size = kPlayheadPixels * context.scale() /
                       pixelsPerUnitAt(context.view(), camera.viewReferencePoint);
   std::vector<GeometryPoint> points;

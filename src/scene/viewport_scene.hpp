@@ -55,6 +55,7 @@ struct ViewportState {
   OrientationPlace current;           // must exist
   std::vector<std::size_t> selected;  // keys, ascending; the current one may be among them
   std::int64_t playhead = 0;          // frame
+  std::optional<Camera> freeCamera;   // flown by hand: drawn instead of the playhead's
   std::optional<HandleId> hovered;    // a handle of the last list, one step larger
   // Of the hovered point: the outline of the plane that a left drag would use.
   bool showHoverPlane = true;

@@ -144,6 +144,16 @@ def breaches(root):
                 yield path, 1, "is listed in no CMakeLists.txt, so nothing builds it"
             if top == src and len(lines) > MOST_LINES:
                 yield path, len(lines), f"has more than {MOST_LINES} lines: divide it"
+    yield from unlisted_scripts(root)
+
+
+def unlisted_scripts(root):
+    """Scripts of `vides drive` that no test runs."""
+    lists = root / "tests" / "app" / "CMakeLists.txt"
+    words = set(lists.read_text(encoding="utf-8").split()) if lists.is_file() else set()
+    for script in sorted((root / "tests" / "scripts").glob("*.vds")):
+        if script.stem not in {word.rstrip(")") for word in words}:
+            yield script, 1, "is listed in tests/app/CMakeLists.txt nowhere, so nothing runs it"
 
 
 def main(arguments):

@@ -109,6 +109,14 @@ class Tree(unittest.TestCase):
         lists = {"src/math/CMakeLists.txt": "point.hpp sub/found.cpp\n"}
         self.assertEqual(self.breaches({"src/math/sub/found.cpp": HEAD}, lists), [])
 
+    def test_unlisted_scripts(self):
+        files = {"tests/scripts/drag.vds": "frame\n", "tests/app/a.cpp": HEAD}
+        lists = {"src/math/CMakeLists.txt": "point.hpp\n",
+                 "tests/app/CMakeLists.txt": "a.cpp foreach(name\n  drag)\n"}
+        self.assertEqual(self.breaches(files, lists), [])
+        lists["tests/app/CMakeLists.txt"] = "a.cpp dragging\n"
+        self.assertOne(self.breaches(files, lists), "tests/scripts/drag.vds:1", "nothing runs it")
+
     def test_first_lines(self):
         spdx = HEAD.splitlines()[0] + "\n"
         for text in ("", "#pragma once\n", "\n" + HEAD, "// SPDX-License-Identifier: GPL-2.0\n"):

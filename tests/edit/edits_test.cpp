@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "edit/edit_fixture.hpp"
 #include "edit/key_edits.hpp"
 #include "edit/texts.hpp"
+#include "io/frame_writer.hpp"
 
 namespace vides {
 namespace {
@@ -240,6 +244,30 @@ TEST(FlightEdits, TheFirstSceneIsFittedToTheCube) {
   EXPECT_EQ(session.flight().scene[0].file, "b.obj");
 }
 
+// The current orientation's frame, as the frame writer puts it, is what the camera saw.
+void expectWritten(const Session& session, const Camera& camera) {
+  FrameOptions options;
+  options.format = FrameFormat::kCsv;
+  options.first = session.evaluation().frameOf(session.current());
+  options.last = options.first + 1;
+  std::string text;
+  writeFrames(session.evaluation(), options, [&](std::string_view piece) {
+    text += piece;
+    return true;
+  });
+  std::istringstream line(text.substr(text.find('\n') + 1));
+  std::vector<double> values;
+  for (std::string cell; std::getline(line, cell, ',');) {
+    values.push_back(values.size() == 3 ? 0.0 : std::stod(cell));
+  }
+  ASSERT_EQ(values.size(), 14u);
+  const auto point = [&](std::size_t i) { return Vec3(values[i], values[i + 1], values[i + 2]); };
+  EXPECT_NEAR(distance(point(4), camera.viewReferencePoint), 0, 1e-6);
+  EXPECT_NEAR(distance(point(7), camera.viewPlaneNormal), 0, 1e-6);
+  EXPECT_NEAR(distance(point(10), camera.viewUpVector), 0, 1e-6);
+  EXPECT_NEAR(values[13], camera.zoom, 1e-6);
+}
+
 TEST(CameraEdits, NewKeyFromViewSeesWhatTheViewSaw) {
   // 5-editor's bar: VRP, VPN, VUP within 1e-6; looking straight up and down as well.
   const std::vector<std::string> views = {"set-free-view 0.3 0.1 -0.2 0.3 -0.2 0.5 0.1 1 0 30",
@@ -264,6 +292,7 @@ TEST(CameraEdits, NewKeyFromViewSeesWhatTheViewSaw) {
         EXPECT_NEAR(distance(found.viewPlaneNormal, camera.viewPlaneNormal), 0, 1e-6) << view;
         EXPECT_NEAR(distance(found.viewUpVector, camera.viewUpVector), 0, 1e-6) << view;
         EXPECT_EQ(found.zoom, camera.zoom);
+        expectWritten(session, camera);
       }
     }
   }
