@@ -76,6 +76,7 @@ Editor::Parts::Parts(const Gl& table, EditorOptions given)
       session(seamsOf(options)) {
   words = [this](std::string_view key) { return std::string(texts.words(key)); };
   tell = [this](const Text& text) { return texts.tell(text); };
+  hint = [this](std::string_view line) { return shortcutOf(line); };
   parse = [](std::string_view text) { return parseNumber(text); };
   ImGui::SetCurrentContext(context);
   ImGuiIO& io = ImGui::GetIO();

@@ -58,6 +58,7 @@ struct Editor::Parts {
   Words words;
   Tell tell;
   NumberParser parse;
+  ShortcutHint hint;
 
   ImguiInput input;
   UiMemory memory;

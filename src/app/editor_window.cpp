@@ -47,11 +47,17 @@ Rect below(const Rect& rect, float height) {
 }  // namespace
 
 Ui::Setting Editor::Parts::uiSetting() {
-  return {fonts.fonts, colours,
-          words,       tell,
-          parse,       registry,
-          memory,      static_cast<float>(scale),
-          time,        session.display().language != Language::kEnglish};
+  return {fonts.fonts,
+          colours,
+          words,
+          tell,
+          parse,
+          hint,
+          registry,
+          memory,
+          static_cast<float>(scale),
+          time,
+          session.display().language != Language::kEnglish};
 }
 
 ViewportState Editor::Parts::viewportState() const {
@@ -239,9 +245,7 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
                    (session.layout().bare ? 0 : ImGuiWindowFlags_MenuBar) |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   if (!session.layout().bare) {
-    menuBar(
-        ui, session, session.layout(), [this](std::string_view line) { return shortcutOf(line); },
-        actions);
+    menuBar(ui, session, session.layout(), actions);
   }
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);

@@ -51,12 +51,12 @@ std::string labelOf(const Ui& ui, const Session& session, const std::string& id)
 }
 
 void entry(Ui& ui, const MenuEntry& item, const Session& session, const Layout& layout,
-           const ShortcutHint& hint, Actions& actions) {
+           Actions& actions) {
   const bool isLayout = item.command.empty();
   const bool enabled = isLayout || canRun(session, item.command);
   const std::string label = labelOf(ui, session, item.id);
   const bool tick = ticked(item.id, session, layout);
-  const std::string keys = isLayout ? std::string() : hint(item.command);
+  const std::string keys = isLayout ? std::string() : ui.hint(item.command);
   // Dear ImGui writes keys in the colour of what is greyed, and greys nothing in our style.
   ImGui::PushStyleColor(ImGuiCol_Text,
                         ui.colour(enabled ? ColourRole::kText : ColourRole::kTextDisabled));
@@ -175,8 +175,7 @@ const std::vector<Menu>& menus() {
   return table;
 }
 
-void menuBar(Ui& ui, const Session& session, const Layout& layout, const ShortcutHint& hint,
-             Actions& actions) {
+void menuBar(Ui& ui, const Session& session, const Layout& layout, Actions& actions) {
   if (!ImGui::BeginMenuBar()) return;
   const ImVec2 corner = ImGui::GetWindowPos();
   const float height = ImGui::GetFrameHeight();
@@ -196,7 +195,7 @@ void menuBar(Ui& ui, const Session& session, const Layout& layout, const Shortcu
       } else if (item.id == "menu/file/recent") {
         recentFiles(ui, session, actions);
       } else {
-        entry(ui, item, session, layout, hint, actions);
+        entry(ui, item, session, layout, actions);
       }
     }
     ImGui::EndMenu();

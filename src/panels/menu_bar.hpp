@@ -24,11 +24,7 @@ struct Menu {
 // All of them, in their order: the menu bar and the list of widgets are made from it.
 const std::vector<Menu>& menus();
 
-// What the keyboard has for a command's line ("Ctrl+Z"); empty where it has nothing.
-using ShortcutHint = std::function<std::string(std::string_view commandLine)>;
-
 // Inside a window's menu bar.
-void menuBar(Ui& ui, const Session& session, const Layout& layout, const ShortcutHint& hint,
-             Actions& actions);
+void menuBar(Ui& ui, const Session& session, const Layout& layout, Actions& actions);
 
 }  // namespace vides

@@ -11,6 +11,7 @@ namespace vides {
 
 void commandButton(Ui& ui, std::string_view id, const Rect& rect, std::string_view command,
                    const Session& session, Actions& actions, ButtonStyle style) {
+  style.command = command;
   style.enabled = style.enabled && canRun(session, command);
   if (!ui.button(id, rect, style)) return;
   if (auto parsed = parseCommand(command)) actions.run(std::move(*parsed));

@@ -45,15 +45,17 @@ void transport(Ui& ui, const Rect& row, const Session& session, TimelineView& vi
     return std::ceil(ui.textWidth(ui.words(id), Weight::kSemibold) / ui.scale()) + 18.0f;
   };
   const auto run = [&](const char* command) { actions.run(Command(command)); };
-  if (ui.iconButton("timeline/first", place(32), Icon::kFirst)) run("first-frame");
+  if (ui.iconButton("timeline/first", place(32), Icon::kFirst, {.command = "first-frame"}))
+    run("first-frame");
   const bool playing = session.playback().playing();
   if (ui.iconButton("timeline/play", place(32), playing ? Icon::kPause : Icon::kPlay,
-                    {.on = playing, .toggle = true})) {
+                    {.on = playing, .toggle = true, .command = "play"})) {
     run("play");
   }
-  if (ui.iconButton("timeline/last", place(32), Icon::kLast)) run("last-frame");
+  if (ui.iconButton("timeline/last", place(32), Icon::kLast, {.command = "last-frame"}))
+    run("last-frame");
   if (ui.button("timeline/loop", place(buttonWidth("timeline/loop")),
-                {.on = session.playback().loop(), .toggle = true})) {
+                {.on = session.playback().loop(), .toggle = true, .command = "loop"})) {
     run("loop");
   }
   if (ui.button("timeline/fit", place(buttonWidth("timeline/fit")), {.enabled = !view.fit}))

@@ -175,11 +175,11 @@ void Ui::icon(Icon icon, const Rect& box, ColourRole role) {
 }
 
 void Ui::registerWidget(std::string_view id, std::string_view label, WidgetKind kind,
-                        const Rect& rect, bool enabled, std::string_view value) {
+                        const Rect& rect, bool enabled, std::string_view value, std::string tip) {
   const ImRect& clip = ImGui::GetCurrentWindow()->ClipRect;
   const Rect window{clip.Min.x, clip.Min.y, clip.GetWidth(), clip.GetHeight()};
   setting_.registry.add({std::string(id), std::string(label), kind, rect, rect.intersect(window),
-                         std::string(value), enabled});
+                         std::string(value), enabled, std::move(tip)});
 }
 
 void Ui::entry(std::string_view id, const Rect& rect, std::string_view label,

@@ -45,6 +45,7 @@ struct ButtonStyle {
   bool quiet = false;   // no ground until the pointer is over it
   Align align = Align::kCentre;
   std::string tooltip = {};  // in words; empty: that of the identifier, if it has one
+  std::string command = {};  // its line: its keys are told too, and its title where nothing is said
 };
 
 struct SliderStyle {
@@ -95,6 +96,8 @@ struct UiMemory {
 using Words = std::function<std::string(std::string_view key)>;
 // What the session says, in the current language.
 using Tell = std::function<std::string(const Text&)>;
+// What the keyboard has for a command's line ("Ctrl+Z"); empty where it has nothing.
+using ShortcutHint = std::function<std::string(std::string_view commandLine)>;
 // A number as typed by the user; nothing where it is none.
 using NumberParser = std::function<std::optional<double>(std::string_view)>;
 
@@ -106,6 +109,7 @@ class Ui {
     const Words& words;
     const Tell& tell;
     const NumberParser& parse;
+    const ShortcutHint& hint;
     WidgetRegistry& registry;
     UiMemory& memory;
     float scale = 1.0f;
@@ -126,6 +130,8 @@ class Ui {
 
   std::string words(std::string_view key) const;
   std::string tell(const Text& text) const { return shown(setting_.fonts, setting_.tell(text)); }
+  // The keys that run a command's line.
+  std::string hint(std::string_view commandLine) const { return setting_.hint(commandLine); }
   // With the decimal sign of the language and a real minus.
   std::string number(double value, int decimals) const;
 
@@ -194,10 +200,12 @@ class Ui {
   };
   Press press(std::string_view id, const Rect& rect, WidgetKind kind, bool enabled);
   void registerWidget(std::string_view id, std::string_view label, WidgetKind kind,
-                      const Rect& rect, bool enabled, std::string_view value);
+                      const Rect& rect, bool enabled, std::string_view value, std::string tip = {});
   void edge(const Rect& rect);
   void ground(const Rect& rect, const Press& press, const ButtonStyle& style);
-  void tooltip(std::string_view id, const Press& press, const std::string& given);
+  // What is told of a widget: what it does, and by which keys.
+  std::string tip(std::string_view id, const ButtonStyle& style = {}) const;
+  void tooltip(std::string_view id, const Press& press, const ButtonStyle& style = {});
   std::optional<std::string> textEditor(std::string_view id, const Rect& rect, bool& ended);
   Typed typeNumber(std::string_view id, const Rect& rect);
   void startTyping(std::string_view id, std::string text);

@@ -53,6 +53,7 @@ struct Widget {
   Rect visible;       // the part of rect that its column doesn't hide
   std::string value;  // what it shows; empty for buttons
   bool enabled = true;
+  std::string tip = {};  // what is told when the pointer rests on it
 };
 
 // A text that was drawn, and the room that it had.

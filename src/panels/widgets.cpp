@@ -53,7 +53,20 @@ Ui::Press Ui::press(std::string_view id, const Rect& rect, WidgetKind, bool enab
   return result;
 }
 
-void Ui::tooltip(std::string_view id, const Press& press, const std::string& given) {
+std::string Ui::tip(std::string_view id, const ButtonStyle& style) const {
+  std::string told = style.tooltip.empty() ? words("tip/" + std::string(id)) : style.tooltip;
+  if (style.command.empty()) return told;
+  if (told.empty()) {
+    std::string key = "command." + style.command;
+    std::replace(key.begin(), key.end(), ' ', '.');
+    told = words(key);
+    if (told.empty()) told = words(key.substr(0, key.find('.', sizeof "command.")));
+  }
+  const std::string keys = setting_.hint(style.command);
+  return keys.empty() ? told : told + "  (" + keys + ")";
+}
+
+void Ui::tooltip(std::string_view id, const Press& press, const ButtonStyle& style) {
   UiMemory& memory = setting_.memory;
   if (!press.hovered || press.held) {
     if (memory.tooltipFor == id) memory.tooltipFor.clear();
@@ -64,12 +77,12 @@ void Ui::tooltip(std::string_view id, const Press& press, const std::string& giv
     memory.tooltipSince = setting_.time;
   }
   if (setting_.time - memory.tooltipSince < kTooltipDelay) return;
-  const std::string tip = given.empty() ? words("tip/" + std::string(id)) : given;
-  if (tip.empty()) return;
+  const std::string told = tip(id, style);
+  if (told.empty()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(8), px(5)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(300));
-  ImGui::TextUnformatted(tip.c_str());
+  ImGui::TextUnformatted(told.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
@@ -99,14 +112,14 @@ bool Ui::button(std::string_view id, const Rect& rect, std::string_view label,
                 const ButtonStyle& style) {
   const Press state = press(id, rect, WidgetKind::kButton, style.enabled);
   registerWidget(id, label, style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
-                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
+                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "", tip(id, style));
   ground(rect, state, style);
   const float inset = style.align == Align::kCentre ? 0.0f : px(6);
   text({rect.x + inset, rect.y, rect.width - 2 * inset, rect.height}, label,
        {.colour = style.enabled ? ColourRole::kText : ColourRole::kTextDisabled,
         .weight = style.on ? Weight::kSemibold : Weight::kRegular,
         .align = style.align});
-  tooltip(id, state, style.tooltip);
+  tooltip(id, state, style);
   return state.pressed;
 }
 
@@ -117,17 +130,17 @@ bool Ui::button(std::string_view id, const Rect& rect, const ButtonStyle& style)
 bool Ui::iconButton(std::string_view id, const Rect& rect, Icon which, const ButtonStyle& style) {
   const Press state = press(id, rect, WidgetKind::kButton, style.enabled);
   registerWidget(id, words(id), style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
-                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
+                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "", tip(id, style));
   ground(rect, state, style);
   icon(which, rect, style.enabled ? ColourRole::kText : ColourRole::kTextDisabled);
-  tooltip(id, state, style.tooltip);
+  tooltip(id, state, style);
   return state.pressed;
 }
 
 bool Ui::checkBox(std::string_view id, const Rect& rect, bool on) {
   const std::string label = words(id);
   const Press state = press(id, rect, WidgetKind::kToggle, true);
-  registerWidget(id, label, WidgetKind::kToggle, rect, true, on ? "on" : "off");
+  registerWidget(id, label, WidgetKind::kToggle, rect, true, on ? "on" : "off", tip(id));
   if (state.hovered) fill(rect, ColourRole::kControlHovered, 3.0f, 0.5);
   const float side = px(14);
   const Rect box{rect.x + px(4), std::round(rect.centreY() - side / 2), side, side};
@@ -141,14 +154,14 @@ bool Ui::checkBox(std::string_view id, const Rect& rect, bool on) {
   }
   const float left = box.right() + px(8);
   text({left, rect.y, rect.right() - left, rect.height}, label);
-  tooltip(id, state, {});
+  tooltip(id, state);
   return state.pressed;
 }
 
 bool Ui::choiceRow(std::string_view id, const Rect& rect, std::string_view label, bool chosen,
                    ColourRole swatch) {
   const Press state = press(id, rect, WidgetKind::kToggle, true);
-  registerWidget(id, label, WidgetKind::kToggle, rect, true, chosen ? "on" : "off");
+  registerWidget(id, label, WidgetKind::kToggle, rect, true, chosen ? "on" : "off", tip(id));
   ground(rect, state, {.on = chosen, .quiet = true});
   const float side = px(14);
   const Rect box{rect.x + px(4), std::round(rect.centreY() - side / 2), side, side};
@@ -157,7 +170,7 @@ bool Ui::choiceRow(std::string_view id, const Rect& rect, std::string_view label
   const float left = box.right() + px(8);
   text({left, rect.y, rect.right() - left, rect.height}, label,
        {.weight = chosen ? Weight::kSemibold : Weight::kRegular});
-  tooltip(id, state, {});
+  tooltip(id, state);
   return state.pressed;
 }
 
@@ -219,7 +232,7 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
   const bool hovered = over(rect);
   const bool takesText = style.enabled && !style.readOnly;
   registerWidget(id, words(id), style.readOnly ? WidgetKind::kText : WidgetKind::kField, rect,
-                 style.enabled, shownValue);
+                 style.enabled, shownValue, tip(id));
   if (setting_.memory.editing != id && takesText && hovered && ImGui::IsMouseClicked(0)) {
     startTyping(id, shownValue);
   }
@@ -247,7 +260,7 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
        {.colour = style.enabled ? ColourRole::kText : ColourRole::kTextDisabled,
         .weight = style.weight,
         .align = Align::kRight});
-  tooltip(id, {.hovered = hovered, .held = false, .pressed = false}, {});
+  tooltip(id, {.hovered = hovered, .held = false, .pressed = false});
   return {};
 }
 
@@ -285,7 +298,7 @@ std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, dou
                                       const SliderStyle& style) {
   UiMemory& memory = setting_.memory;
   registerWidget(id, words(id), WidgetKind::kSlider, rect, style.enabled,
-                 number(value, style.decimals));
+                 number(value, style.decimals), tip(id));
   const ImGuiIO& io = ImGui::GetIO();
   const bool asked = ImGui::IsMouseDoubleClicked(0) || (io.KeyCtrl && ImGui::IsMouseClicked(0));
   const Rect typingBox = [&] {
@@ -353,12 +366,13 @@ std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, dou
   list.AddCircleFilled(
       centre, lively ? knob + px(1) : knob,
       colour(style.enabled ? ColourRole::kSliderHandle : ColourRole::kTextDisabled));
-  tooltip(id, state, {});
+  tooltip(id, state);
   return change;
 }
 
 Ui::AreaState Ui::area(std::string_view id, const Rect& rect, std::string_view value, bool tips) {
-  registerWidget(id, words(id), WidgetKind::kArea, rect, true, value);
+  registerWidget(id, words(id), WidgetKind::kArea, rect, true, value,
+                 tips ? tip(id) : std::string());
   const Press state = press(id, rect, WidgetKind::kArea, true);
   AreaState result;
   result.hovered = state.hovered;
@@ -366,7 +380,7 @@ Ui::AreaState Ui::area(std::string_view id, const Rect& rect, std::string_view v
   result.pressed = state.held && ImGui::IsMouseClicked(0);
   result.released = state.pressed;
   result.doubleClicked = state.hovered && ImGui::IsMouseDoubleClicked(0);
-  if (tips) tooltip(id, state, {});
+  if (tips) tooltip(id, state);
   return result;
 }
 

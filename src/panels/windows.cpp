@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "edit/command_table.hpp"
-#include "edit/shortcuts.hpp"
 #include "panels/flight_window.hpp"
 #include "panels/frames_window.hpp"
+#include "panels/help_window.hpp"
 #include "panels/window_frame.hpp"
 
 namespace vides {
@@ -59,34 +59,6 @@ void question(Ui& ui, const Session& session, Actions& actions) {
               });
 }
 
-void shortcuts(Ui& ui, const Session& session, const Texts& texts, Actions& actions) {
-  const auto& table = shortcutTable();
-  constexpr float kRow = 20.0f;
-  const std::size_t half = (table.size() + 1) / 2;
-  const float height = kRow * static_cast<float>(half) + 110.0f;
-  const bool top = isTop(session, "shortcuts");
-  windowFrame(ui, {"###shortcuts", 860.0f, height, ui.words("menu/help/shortcuts"), top},
-              [&](const Rect& room) {
-                const std::vector<Rect> columns = split(ui, room, 2, 32.0f);
-                for (std::size_t i = 0; i < table.size(); ++i) {
-                  const Rect& column = columns[i / half];
-                  const float y = column.y + ui.px(kRow) * static_cast<float>(i % half);
-                  const std::string keys = shown(table[i], texts);
-                  const float width = ui.textWidth(keys, Weight::kSemibold);
-                  ui.text({column.x, y, column.width - width - ui.px(8), ui.px(kRow)},
-                          texts.tell(titleOf(table[i].command, texts)),
-                          {.colour = ColourRole::kTextSecondary, .mayShorten = true});
-                  ui.text({column.right() - width, y, width, ui.px(kRow)}, keys,
-                          {.weight = Weight::kSemibold, .align = Align::kRight});
-                }
-                const float width = ui.px(110);
-                if (ui.button("shortcuts/close", {room.right() - width, room.bottom() - ui.px(26),
-                                                  width, ui.px(26)})) {
-                  actions.run(Command("close-window", "shortcuts"));
-                }
-              });
-}
-
 }  // namespace
 
 bool hasWindow(std::string_view name) {
@@ -114,7 +86,7 @@ void windows(Ui& ui, const Session& session, const Texts& texts, WindowsMemory& 
   if (session.windowOpen("flight")) flightWindow(ui, session, memory.flight, actions);
   if (session.windowOpen("frames")) framesWindow(ui, session, memory.frames, actions);
   if (session.windowOpen("insert-keys")) insertKeys(ui, session, actions);
-  if (session.windowOpen("shortcuts")) shortcuts(ui, session, texts, actions);
+  if (session.windowOpen("shortcuts")) helpWindow(ui, session, texts, actions);
   if (session.windowOpen("settings")) settingsWindow(ui, session, memory.settings, actions);
   chooser(ui, session, memory.chooser, actions);
   if (session.question()) question(ui, session, actions);

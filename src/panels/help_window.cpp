@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The list of shortcuts and of the mouse's ways, in three columns.
+#include "panels/help_window.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "edit/shortcuts.hpp"
+#include "panels/window_frame.hpp"
+
+namespace vides {
+namespace {
+
+constexpr int kColumns = 3;
+constexpr float kRow = 18.0f;
+constexpr float kBetween = 9.0f;  // groups
+constexpr float kButton = 26.0f;
+
+struct Line {
+  std::string what, how;
+};
+struct Group {
+  std::string heading;
+  std::vector<Line> lines;
+  float height() const { return kRow * static_cast<float>(lines.size() + 1) + kBetween; }
+};
+
+std::vector<Group> keyGroups(const Texts& texts) {
+  std::vector<Group> groups;
+  std::string name;
+  for (const Shortcut& shortcut : shortcutTable()) {
+    if (groups.empty() || shortcut.group != name) {
+      name = shortcut.group;
+      groups.push_back({texts.tell(Text("shortcuts." + name)), {}});
+    }
+    groups.back().lines.push_back(
+        {texts.tell(titleOf(shortcut.command, texts)), shown(shortcut, texts)});
+  }
+  return groups;
+}
+
+Group mouseGroup(const Ui& ui, const std::string& name, const std::vector<const char*>& ways) {
+  Group group{ui.words(name + ".heading"), {}};
+  for (const char* way : ways) {
+    const std::string key = name + "." + way;
+    group.lines.push_back({ui.words(key), ui.words(key + ".how")});
+  }
+  return group;
+}
+
+std::vector<Group> allGroups(const Ui& ui, const Texts& texts) {
+  std::vector<Group> groups = keyGroups(texts);
+  groups.push_back(mouseGroup(
+      ui, "mouse",
+      {"turn", "pan", "size", "x", "y", "z", "axis", "snap", "select", "box", "insert", "view"}));
+  groups.push_back(mouseGroup(ui, "flying", {"turn", "move", "roll", "dolly", "zoom", "walk"}));
+  return groups;
+}
+
+// Which column each group stands in, in their order, so that the longest column is as short as can
+// be: the least height that the groups fit in one after the other.
+std::vector<int> columnsOf(const std::vector<Group>& groups, float& height) {
+  for (float most = kRow;; most += 1.0f) {
+    std::vector<int> columns;
+    int column = 0;
+    float used = 0.0f;
+    for (const Group& group : groups) {
+      if (used > 0.0f && used + group.height() > most) {
+        ++column;
+        used = 0.0f;
+      }
+      used += group.height();
+      if (used > most) column = kColumns;  // not even alone
+      columns.push_back(column);
+    }
+    if (column >= kColumns) continue;
+    height = most;
+    return columns;
+  }
+}
+
+void drawGroup(Ui& ui, const Group& group, Rect row) {
+  ui.text(row, group.heading, {.weight = Weight::kSemibold});
+  for (const Line& line : group.lines) {
+    row.y += row.height;
+    const float width = ui.textWidth(line.how);
+    ui.text({row.x, row.y, row.width - width - ui.px(8), row.height}, line.what,
+            {.colour = ColourRole::kTextSecondary});
+    ui.text({row.right() - width, row.y, width, row.height}, line.how);
+  }
+}
+
+}  // namespace
+
+void helpWindow(Ui& ui, const Session& session, const Texts& texts, Actions& actions) {
+  const std::vector<Group> groups = allGroups(ui, texts);
+  float height = 0.0f;
+  const std::vector<int> columns = columnsOf(groups, height);
+  const bool top = !session.question() && session.windows().back() == "shortcuts";
+  const WindowFrame frame{"###shortcuts", 952.0f, height + 64.0f + kButton,
+                          ui.words("menu/help/shortcuts"), top};
+  windowFrame(ui, frame, [&](const Rect& room) {
+    const std::vector<Rect> places = split(ui, room, kColumns, 24.0f);
+    std::vector<float> y(kColumns, room.y);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const auto column = static_cast<std::size_t>(columns[i]);
+      drawGroup(ui, groups[i], {places[column].x, y[column], places[column].width, ui.px(kRow)});
+      y[column] += ui.px(groups[i].height());
+    }
+    const float width = ui.px(110);
+    if (ui.button("shortcuts/close",
+                  {room.right() - width, room.bottom() - ui.px(kButton), width, ui.px(kButton)})) {
+      actions.run(Command("close-window", "shortcuts"));
+    }
+  });
+}
+
+}  // namespace vides
