@@ -248,9 +248,15 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
   }
   const float inset = px(4);
   const Rect inside{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
-  const std::string tail = shownValue + style.suffix;
+  // A long number gives up decimals, then the words before it; it is typed with all of them.
+  std::string tail = shownValue + style.suffix;
+  const float words = style.prefix.empty() ? 0.0f : textWidth(style.prefix) + px(2);
+  for (int decimals = style.decimals;
+       decimals > 0 && textWidth(tail, style.weight) + words > inside.width;) {
+    tail = number(value, --decimals) + style.suffix;
+  }
   const float room = textWidth(tail, style.weight);
-  if (!style.prefix.empty()) {
+  if (words > 0.0f && room + words <= inside.width) {
     text({inside.x, inside.y, inside.width - room - px(2), inside.height}, style.prefix,
          {.colour = ColourRole::kTextSecondary});
   }
@@ -259,7 +265,8 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
        tail,
        {.colour = style.enabled ? ColourRole::kText : ColourRole::kTextDisabled,
         .weight = style.weight,
-        .align = Align::kRight});
+        .align = Align::kRight,
+        .mayShorten = true});
   tooltip(id, {.hovered = hovered, .held = false, .pressed = false});
   return {};
 }

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+// Every window and menu in both languages, in ordinary and extreme states: texts fit, widgets stand
+// apart and on the screen, and each tells what it does.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "app/drive/player.hpp"
+#include "edit/command_table.hpp"
+#include "edit/texts.hpp"
+#include "flight/utf8.hpp"
+#include "host/open_host.hpp"
+#include "io/vid_writer.hpp"
+#include "panels/fonts.hpp"
+#include "panels/menu_bar.hpp"
+#include "panels/windows.hpp"
+#include "support/files.hpp"
+
+namespace vides {
+namespace {
+
+// As long as a name may look, as far as numbers go, more keys than anybody counts.
+Flight extremeFlight() {
+  Flight flight = newFlight();
+  flight.name = std::string(200, 'W');
+  flight.lens = {36.0, 0.001, 99999.0};
+  std::vector<KeyPointer> keys;
+  for (int i = 0; i < 10000; ++i) {
+    Key key;
+    const double at = i / 5000.0 - 1.0;
+    key.position = {-1.0, -at, at};
+    key.shape = {KeyShape::kOwn, {-1.0, -1.0, -1.0}, {}};
+    Orientation orientation;
+    orientation.aim = {-999999.125, -1.0, 0.001};
+    orientation.roll = -36000.0;
+    orientation.zoom = 100.0;
+    orientation.hold = i == 0 ? 3600.0 : 0.0;
+    orientation.duration = i == 1 ? std::optional(3599.99) : std::nullopt;
+    key.orientations.assign(i == 0 ? 10 : 1, orientation);
+    keys.emplace_back(std::move(key));
+  }
+  flight.keys = KeyList(std::move(keys));
+  return flight;
+}
+
+struct Case {
+  const char* language;
+  int scale;
+  bool extreme;
+};
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.language << " at scale " << c.scale << (c.extreme ? ", extreme" : "");
+}
+
+class Interface : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    OffscreenOptions options;
+    options.size = {960 * GetParam().scale, 600 * GetParam().scale};
+    options.contentScale = GetParam().scale;
+    auto host = openOffscreen(OffscreenKind::kOsmesa, options);
+    ASSERT_TRUE(host) << host.error();
+    host_ = std::move(*host);
+    auto player = Player::create(*host_);
+    ASSERT_TRUE(player) << player.error();
+    player_ = std::move(*player);
+    player_->perform(Command("language", GetParam().language));
+    std::string file = std::string(VIDES_SOURCE_DIR) + "/assets/flights/pyramid.vid";
+    if (GetParam().extreme) {
+      file = (folder_ / (std::string(200, 'M') + ".vid")).string();
+      ASSERT_EQ(saveVid(extremeFlight(), file), std::nullopt);
+    }
+    ASSERT_TRUE(player_->perform(Command("open", file)));
+    if (GetParam().extreme) {
+      // What they look like takes time and is tried elsewhere.
+      for (const char* element : {"keys", "numbers", "curve", "ghosts"}) {
+        player_->perform(Command("show-element", element, "off"));
+      }
+    }
+    ASSERT_TRUE(player_->perform(Command("make-current", 0, GetParam().extreme ? 9 : 0)));
+  }
+
+  // Shows everything there is, one after the other, and calls `check` with its name.
+  void forEachState(const std::function<void(const std::string&)>& check) {
+    settle();
+    check("nothing open");
+    for (const std::string& window : windowNames()) {
+      if (!hasWindow(window)) continue;
+      player_->perform(Command("show-window", window));
+      settle();
+      check(window);
+      player_->perform(Command("close-window", window));
+    }
+    for (const Menu& menu : menus()) {
+      ASSERT_TRUE(player_->clickWidget(menu.id));
+      settle();
+      check(menu.id);
+      player_->click(600.0 * GetParam().scale, 4.0);  // beside the menus: it closes
+    }
+    // The questions.
+    Session& session = player_->editor().session();
+    player_->perform(Command("set-name", "other"));
+    player_->perform(Command("new"));
+    settle();
+    EXPECT_TRUE(session.question());
+    check("question: unsaved");
+    player_->perform(Command("answer", "cancel"));
+    session.offerRecovery(newFlight(), std::string(200, 'M') + ".vid", "2026-11-22 08:15");
+    settle();
+    check("question: recover");
+    player_->perform(Command("answer", "later"));
+  }
+
+  static std::vector<std::string> windowNames() {
+    return findCommand("show-window")->arguments.front().choices;
+  }
+  const WidgetRegistry& widgets() const { return player_->editor().widgets(); }
+  void settle() {
+    player_->frame();
+    player_->frame();
+  }
+
+  test::TemporaryFolder folder_;
+  std::unique_ptr<OffscreenHost> host_;
+  std::unique_ptr<Player> player_;
+};
+
+bool isOperated(const Widget& widget) {
+  switch (widget.kind) {
+    case WidgetKind::kButton:
+    case WidgetKind::kToggle:
+    case WidgetKind::kSlider:
+    case WidgetKind::kField:
+    case WidgetKind::kEntry:
+    case WidgetKind::kChoice:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string areaOf(const std::string& id) { return id.substr(0, id.find('/')); }
+
+void expectTextsFit(const WidgetRegistry& widgets, const std::string& state) {
+  EXPECT_GT(widgets.texts().size(), 20u) << state;
+  for (const DrawnText& text : widgets.texts()) {
+    EXPECT_LE(text.width, text.box + 0.5f) << '"' << text.text << "\", " << state;
+  }
+}
+
+// What is operated lies on the screen and on nothing else of its kind and area.
+void expectApart(const WidgetRegistry& widgets, const Rect& screen, const std::string& state) {
+  std::vector<const Widget*> operated;
+  for (const auto& [id, widget] : widgets.widgets()) {
+    if (isOperated(widget) && !widget.visible.empty()) operated.push_back(&widget);
+  }
+  for (const Widget* a : operated) {
+    EXPECT_EQ(a->rect.intersect(screen).width, a->rect.width) << a->id << ", " << state;
+    for (const Widget* b : operated) {
+      if (a->id >= b->id || areaOf(a->id) != areaOf(b->id)) continue;
+      EXPECT_TRUE(a->rect.inset(0.5f).intersect(b->rect.inset(0.5f)).empty())
+          << a->id << " and " << b->id << ", " << state;
+    }
+  }
+}
+
+// A label that says by itself what a click does: words, not abbreviations and signs. Choices with
+// such a name (a theme, an element that is shown) need no more either.
+bool saysItAll(const Widget& widget) {
+  std::size_t letters = 0;
+  for (std::string_view rest = widget.label; !rest.empty();) {
+    const std::size_t length = std::max<std::size_t>(1, utf8Length(rest));
+    const char c = rest.front();
+    const bool letter = length > 1 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (letter && rest.substr(0, length) != "…") ++letters;
+    if (c == '+' || c == '#' || (c >= '0' && c <= '9') || rest.starts_with("−") ||
+        rest.starts_with("«") || rest.starts_with("»")) {
+      return false;
+    }
+    rest.remove_prefix(length);
+  }
+  return letters >= 4;
+}
+
+// Numbers to choose from, in a window whose heading says of what; OK, as everywhere.
+bool isPlain(const Widget& widget) {
+  if (widget.label == "OK" || widget.label == "VUP") return true;
+  for (const char* family : {"position/insert_", "settings/scale_", "shape/preset_"}) {
+    if (widget.id.starts_with(family)) return true;
+  }
+  return false;
+}
+
+TEST_P(Interface, FitsStandsApartAndTellsWhatItDoes) {
+  const auto scale = static_cast<float>(GetParam().scale);
+  std::set<std::string> bare;
+  forEachState([&](const std::string& state) {
+    expectTextsFit(widgets(), state);
+    expectApart(widgets(), {0.0f, 0.0f, 960.0f * scale, 600.0f * scale}, state);
+    for (const auto& [id, widget] : widgets().widgets()) {
+      if (!isOperated(widget) || !widget.tip.empty()) continue;
+      if (!saysItAll(widget) && !isPlain(widget)) bare.insert(id);
+    }
+  });
+  EXPECT_THAT(bare, testing::IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Interface,
+                         testing::Values(Case{"en", 1, false}, Case{"de", 1, false},
+                                         Case{"en", 2, false}, Case{"de", 2, false},
+                                         Case{"en", 1, true}, Case{"de", 1, true}),
+                         [](const auto& each) {
+                           return std::string(each.param.language) +
+                                  std::to_string(each.param.scale) +
+                                  (each.param.extreme ? "extreme" : "");
+                         });
+
+// --- The tables ---
+
+TEST(InterfaceTexts, TooltipsTellTheKeys) {
+  OffscreenOptions options;
+  options.size = {1280, 800};
+  auto host = openOffscreen(OffscreenKind::kOsmesa, options);
+  ASSERT_TRUE(host);
+  auto player = Player::create(**host);
+  ASSERT_TRUE(player);
+  (*player)->frame();
+  const auto tip = [&](const char* id) { return (*player)->editor().widgets().find(id)->tip; };
+  EXPECT_THAT(tip("position/insert"), testing::EndsWith("(I)"));
+  EXPECT_THAT(tip("position/insert_many"), testing::EndsWith("(Shift+I)"));
+  EXPECT_THAT(tip("orientation/next"), testing::EndsWith("(Ctrl+Page Down)"));
+  EXPECT_THAT(tip("timeline/play"), testing::EndsWith("(Space)"));
+  EXPECT_THAT(tip("camera/use_view"), testing::EndsWith("(U)"));
+  EXPECT_THAT(tip("speed/rate"), testing::Not(testing::EndsWith(")")));
+  (*player)->perform(Command("language", "de"));
+  (*player)->frame();
+  EXPECT_THAT(tip("orientation/next"), testing::EndsWith("(Strg+Bild ab)"));
+}
+
+TEST(InterfaceTexts, EveryCharacterHasAGlyph) {
+  const FontSet set = buildFonts(1.0);
+  const Fonts& fonts = set.fonts;
+  if (fonts.plain) GTEST_SKIP() << "Inter is not there";
+  std::set<std::string> missing;
+  for (const Language language : {Language::kEnglish, Language::kGerman}) {
+    for (const auto& [key, words] : builtInTexts(language)) {
+      const char* at = words.data();
+      const char* const end = at + words.size();
+      while (at < end) {
+        unsigned int c = 0;
+        const int length = ImTextCharFromUtf8(&c, at, end);
+        for (ImFont* font : {fonts.regular, fonts.semibold, fonts.small}) {
+          if (font->FindGlyphNoFallback(static_cast<ImWchar>(c)) == nullptr) {
+            missing.insert(key + ": " + std::string(at, static_cast<std::size_t>(length)));
+          }
+        }
+        at += length;
+      }
+    }
+  }
+  EXPECT_THAT(missing, testing::IsEmpty());
+}
+
+// What the sources name, wholly or as the beginning or end of a name that is put together.
+class Sources {
+ public:
+  Sources() {
+    const auto top = std::filesystem::path(VIDES_SOURCE_DIR) / "src";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top)) {
+      if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp") {
+        text_ += test::readAll(entry.path());
+      }
+    }
+  }
+  bool names(const std::string& key) const {
+    if (has('"' + key + '"')) return true;
+    for (std::size_t i = 1; i < key.size(); ++i) {
+      if (std::string_view("./_-").find(key[i]) == std::string_view::npos) continue;
+      const std::string before = key.substr(0, i), after = key.substr(i + 1);
+      if (has('"' + key.substr(0, i + 1) + '"') || has('"' + key.substr(i) + '"')) return true;
+      if (has('"' + before + '"') && has('"' + after + '"')) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool has(const std::string& literal) const { return text_.find(literal) != text_.npos; }
+  std::string text_;
+};
+
+TEST(InterfaceTexts, NoneIsLeftOver) {
+  const Sources sources;
+  std::set<std::string> unused;
+  for (const auto& [key, words] : builtInTexts(Language::kEnglish)) {
+    std::string name = key.substr(0, key.find('#'));
+    if (name.starts_with("command.")) {
+      const std::string command = name.substr(8, name.find('.', 8) - 8);
+      if (findCommand(command) == nullptr) unused.insert(key);
+      continue;
+    }
+    if (name.starts_with("tip/")) name = name.substr(4);
+    if (name.starts_with("step.") && findCommand(name.substr(5)) != nullptr) continue;
+    if (!sources.names(name)) unused.insert(key);
+  }
+  EXPECT_THAT(unused, testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace vides
