@@ -91,9 +91,12 @@ bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place,
   if (state.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   ui.text({row.x, row.y, row.width - close, row.height}, frame.heading,
           {.weight = Weight::kSemibold, .mayShorten = true});
-  const bool closed =
-      ui.iconButton(frame.area + "/close", {row.right() - close + ui.px(4), row.y, close, close},
-                    Icon::kClose, {.quiet = true});
+  const std::string own = ui.words(frame.area + "/close");
+  const bool closed = ui.iconButton(
+      frame.area + "/close", {row.right() - close + ui.px(4), row.y, close, close}, Icon::kClose,
+      {.quiet = true,
+       .tooltip = own.empty() ? ui.words("shortcuts/close") : own,
+       .command = "escape"});
   content({row.x, row.bottom() + ui.px(8), row.width, y + h - pad - row.bottom() - ui.px(8)});
   ImGui::End();
   return !closed;
