@@ -29,7 +29,7 @@ TEST_F(KeptTest, TheSetupIsThereAgain) {
   vides::Setup wanted;
   wanted.display.language = Language::kGerman;
   EXPECT_EQ(readSetupFile(setupFile()).value(), wanted);
-  xdotool("key 1");  // the view from the front is kept at the end only
+  xdotool("key 1");            // the view from the front is kept at the end only
   ASSERT_TRUE(fallsAsleep());  // it has glided there
   closeProgram();
   wanted.turn = wanted.tilt = 0.0;
