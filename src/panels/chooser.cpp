@@ -208,6 +208,7 @@ void places(Ui& ui, const Rect& row, const Session& session, ChooserMemory& memo
 
 void list(Ui& ui, const Rect& box, ChooserMemory& memory, Actions& actions) {
   ui.fill(box, ColourRole::kField, 3.0f);
+  ui.edge(box);
   ImGui::SetCursorScreenPos({box.x, box.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   // Another folder begins at its top.
@@ -262,6 +263,7 @@ void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
   ui.text({row.x, row.y, labelWidth, row.height}, label, {.colour = ColourRole::kTextSecondary});
   const Rect box{row.x + labelWidth, row.y, row.width - labelWidth, row.height};
   ui.fill(box, ColourRole::kField, 3.0f);
+  ui.edge(box);
   ui.entry("chooser/name", box, label, memory.name);
   if (!takesText || memory.mode == Mode::kOverwrite) {
     ui.text({box.x + ui.px(6), box.y, box.width - ui.px(12), box.height}, memory.name,

@@ -145,6 +145,8 @@ class Ui {
 
   void fill(const Rect& rect, ColourRole role, float radius = 0.0f, double opacity = 1.0);
   void outline(const Rect& rect, ColourRole role, float radius = 0.0f, float width = 1.0f);
+  // The line around a control or a field, in the themes whose grounds are all but alike.
+  void edge(const Rect& rect);
   void icon(Icon icon, const Rect& box, ColourRole role);
 
   bool button(std::string_view id, const Rect& rect, const ButtonStyle& style = {});
@@ -201,7 +203,6 @@ class Ui {
   Press press(std::string_view id, const Rect& rect, WidgetKind kind, bool enabled);
   void registerWidget(std::string_view id, std::string_view label, WidgetKind kind,
                       const Rect& rect, bool enabled, std::string_view value, std::string tip = {});
-  void edge(const Rect& rect);
   void ground(const Rect& rect, const Press& press, const ButtonStyle& style);
   // What is told of a widget: what it does, and by which keys.
   std::string tip(std::string_view id, const ButtonStyle& style = {}) const;

@@ -284,6 +284,7 @@ std::optional<std::string> Ui::textField(std::string_view id, const Rect& rect,
   }
   ImGui::ItemAdd(rectangle(rect), idOf(id));
   fill(rect, ColourRole::kField, 3.0f);
+  edge(rect);
   if (hovered) {
     outline(rect, ColourRole::kControlHovered, 3.0f);
     ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
