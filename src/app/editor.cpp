@@ -137,7 +137,7 @@ void Editor::Parts::apply(const Actions& actions) {
       run(step.command);
       continue;
     }
-    if (!session.inDrag()) session.begin(Text("step." + step.command.name));
+    if (!session.inDrag()) session.begin({});
     session.preview(step.command);
     if (step.phase == Phase::kCommit) session.commit();
     if (step.phase == Phase::kCancel) session.cancel();

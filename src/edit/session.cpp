@@ -256,6 +256,7 @@ bool Session::preview(const Command& command) {
   if (edit == nullptr) return refuse("refusal.in-gesture");
   const EditResult result = (*edit)(state_, Arguments(command));
   if (!result) return refuse(result.error());
+  if (!gesture_->window) gesture_->step = result->step;
   return preview(result->flight);
 }
 

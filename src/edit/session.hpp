@@ -108,7 +108,8 @@ class Session {
   const EditState& start() const { return gesture_->start; }
   // False where the flight isn't valid: the last valid preview stays, and the output line tells.
   bool preview(Flight flight);
-  // A command that edits, on top of what is shown: for sliders and windows that preview.
+  // A command that edits, on top of what is shown: for sliders and windows that preview. It names
+  // a drag's step.
   bool preview(const Command& command);
   void commit();
   void cancel();

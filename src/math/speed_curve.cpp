@@ -33,6 +33,7 @@ struct Piece {
   double v, m, c2, c3;
 
   double at(double u) const { return v + u * (m + u * (c2 + u * c3)); }
+  double slope(double u) const { return m + u * (2.0 * c2 + u * (3.0 * c3)); }
   double integral(double u) const {
     return u * (v + u * (0.5 * m + u * (c2 / 3.0 + u * (0.25 * c3))));
   }
@@ -74,6 +75,19 @@ SpeedCurve::SpeedCurve(const SpeedValues& values, std::optional<double> before,
                        std::optional<double> after)
     : values_(values), slopes_(unlimitedSlopes(values, before, after)) {
   limit(values_, slopes_);
+  sum();
+}
+
+SpeedCurve SpeedCurve::unlimited(const SpeedValues& values, std::optional<double> before,
+                                 std::optional<double> after) {
+  SpeedCurve curve;
+  curve.values_ = values;
+  curve.slopes_ = unlimitedSlopes(values, before, after);
+  curve.sum();
+  return curve;
+}
+
+void SpeedCurve::sum() {
   sums_[0] = 0.0;
   double sum = 0.0;
   for (std::size_t j = 0; j < kLast; ++j) {
@@ -87,6 +101,11 @@ double SpeedCurve::at(double tau) const {
   if (tau >= 1.0) return values_.back();
   const Place place = placeOf(tau);
   return pieceAt(values_, slopes_, place.interval).at(place.u);
+}
+
+double SpeedCurve::derivative(double tau) const {
+  const Place place = placeOf(std::clamp(tau, 0.0, 1.0));
+  return pieceAt(values_, slopes_, place.interval).slope(place.u) * kIntervals;
 }
 
 double SpeedCurve::integral(double tau) const {

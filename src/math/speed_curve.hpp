@@ -25,9 +25,15 @@ class SpeedCurve {
   explicit SpeedCurve(const SpeedValues& values, std::optional<double> before = std::nullopt,
                       std::optional<double> after = std::nullopt);
   SpeedCurve();  // constant base speed
+  // The curve as it is drawn by hand, without the limiter: it may leave [1, 100]. For pictures
+  // only.
+  static SpeedCurve unlimited(const SpeedValues& values, std::optional<double> before,
+                              std::optional<double> after);
 
   // The speed at tau in [0, 1].
   double at(double tau) const;
+  // Its derivative by tau.
+  double derivative(double tau) const;
   // F(tau), the integral of the speed from 0 to tau; F(1) is the mean.
   double integral(double tau) const;
   double mean() const { return sums_[kSpeedValues - 1]; }
@@ -39,6 +45,8 @@ class SpeedCurve {
   bool operator==(const SpeedCurve&) const = default;
 
  private:
+  void sum();
+
   SpeedValues values_;
   SpeedValues slopes_;
   SpeedValues sums_;  // F(j/9)

@@ -158,6 +158,8 @@ class Ui {
   // One row of a list of which one is chosen, with a colour before it.
   bool choiceRow(std::string_view id, const Rect& rect, std::string_view label, bool chosen,
                  ColourRole swatch);
+  // Its label is only told: the caller draws a picture over it.
+  bool pictureButton(std::string_view id, const Rect& rect, const ButtonStyle& style);
   // Dragged, clicked at, turned with the wheel's keys; double click or Ctrl + click types the
   // value.
   std::optional<ValueChange> slider(std::string_view id, const Rect& rect, double value,

@@ -174,6 +174,15 @@ bool Ui::choiceRow(std::string_view id, const Rect& rect, std::string_view label
   return state.pressed;
 }
 
+bool Ui::pictureButton(std::string_view id, const Rect& rect, const ButtonStyle& style) {
+  const Press state = press(id, rect, WidgetKind::kButton, style.enabled);
+  registerWidget(id, words(id), style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
+                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
+  ground(rect, state, style);
+  tooltip(id, state, style.tooltip);
+  return state.pressed;
+}
+
 void Ui::startTyping(std::string_view id, std::string words) {
   setting_.memory.editing = id;
   setting_.memory.before = words;

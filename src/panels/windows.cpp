@@ -62,7 +62,7 @@ void question(Ui& ui, const Session& session, Actions& actions) {
 }  // namespace
 
 bool hasWindow(std::string_view name) {
-  constexpr std::string_view kWindows[] = {"shape",    "flight",    "frames",
+  constexpr std::string_view kWindows[] = {"shape",    "speed",     "flight",     "frames",
                                            "settings", "shortcuts", "insert-keys"};
   return isChooser(name) ||
          std::find(std::begin(kWindows), std::end(kWindows), name) != std::end(kWindows);
@@ -82,6 +82,7 @@ bool canRun(const Session& session, std::string_view commandLine) {
 
 void windows(Ui& ui, const Session& session, const Texts& texts, WindowsMemory& memory,
              Actions& actions) {
+  if (session.windowOpen("speed")) speedWindow(ui, session, memory.speed, actions);
   if (session.windowOpen("shape")) shapeWindow(ui, session, memory.shape, actions);
   if (session.windowOpen("flight")) flightWindow(ui, session, memory.flight, actions);
   if (session.windowOpen("frames")) framesWindow(ui, session, memory.frames, actions);

@@ -10,6 +10,7 @@
 #include "panels/chooser.hpp"
 #include "panels/settings_window.hpp"
 #include "panels/shape_window.hpp"
+#include "panels/speed_window.hpp"
 #include "panels/ui.hpp"
 #include "panels/window_frame.hpp"
 
@@ -26,6 +27,7 @@ struct WindowsMemory {
   ShapeWindowMemory shape;
   SettingsMemory settings;
   WindowPlace flight, frames;
+  SpeedWindowMemory speed;
 };
 
 // All that are open.

@@ -122,5 +122,33 @@ TEST(SpeedCurve, HitsItsValuesAndMeetsItsNeighbours) {
   EXPECT_DOUBLE_EQ(curve.slopes()[9], 0.5 * (60 - 52));
 }
 
+TEST(SpeedCurve, DerivativeIsThatOfTheSpeed) {
+  const SpeedCurve curve({10, 90, 20, 50, 50, 1, 100, 100, 3, 40}, 60.0, 5.0);
+  for (int i = 0; i < 500; ++i) {
+    const double tau = (i + 0.37) / 500;
+    constexpr double kStep = 1e-6;
+    const double slope = (curve.at(tau + kStep) - curve.at(tau - kStep)) / (2 * kStep);
+    EXPECT_NEAR(curve.derivative(tau), slope, 1e-4 * std::max(1.0, std::abs(slope))) << tau;
+  }
+  EXPECT_DOUBLE_EQ(curve.derivative(0.0), 9 * curve.slopes()[0]);
+  EXPECT_DOUBLE_EQ(curve.derivative(1.0), 9 * curve.slopes()[9]);
+}
+
+TEST(SpeedCurve, UnlimitedIsTheHandsCurve) {
+  const SpeedValues values{50, 50, 100, 100, 1, 1, 50, 50, 50, 50};
+  const SpeedCurve drawn = SpeedCurve::unlimited(values, 50.0, 50.0);
+  EXPECT_EQ(drawn.slopes(), unlimitedSlopes(values, 50.0, 50.0));
+  double most = 0, least = 200;
+  for (int i = 0; i <= 900; ++i) {
+    most = std::max(most, drawn.at(i / 900.0));
+    least = std::min(least, drawn.at(i / 900.0));
+  }
+  EXPECT_GT(most, kMaxSpeed);
+  EXPECT_LT(least, kMinSpeed);
+  // Where nothing is limited both are the same.
+  const SpeedValues calm{50, 55, 60, 62, 60, 55, 50, 45, 40, 41};
+  EXPECT_EQ(SpeedCurve::unlimited(calm, 50.0, 45.0), SpeedCurve(calm, 50.0, 45.0));
+}
+
 }  // namespace
 }  // namespace vides

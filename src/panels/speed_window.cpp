@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// The large speed window.
+#include "panels/speed_window.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "edit/ease.hpp"
+#include "panels/left_panels.hpp"
+
+namespace vides {
+namespace {
+
+constexpr float kWidth = 820.0f;
+constexpr float kHeight = 436.0f;
+constexpr float kRow = 22.0f;
+constexpr float kAxis = 30.0f;   // left of the curve: 1 to 100
+constexpr float kThere = 50.0f;  // right of it: the same in the scene
+constexpr float kColumn = 44.0f;
+
+void follow(const Session& session, SpeedWindowMemory& memory) {
+  const bool same = memory.evaluation && memory.evaluation->sameAs(session.evaluation()) &&
+                    memory.of == session.current();
+  if (same) return;
+  memory.evaluation = session.evaluation();
+  memory.of = session.current();
+  memory.graph = speedGraph(session.evaluation(), session.current());
+}
+
+std::string amountUnit(const Ui& ui, SectionUnit unit) {
+  switch (unit) {
+    case SectionUnit::kScene:
+      return ui.words("unit.scene");
+    case SectionUnit::kDegrees:
+      return "\u00b0";
+    case SectionUnit::kZoom:
+      return ui.words("unit.zoom");
+    case SectionUnit::kNone:
+      break;
+  }
+  return {};
+}
+
+std::string measured(const Ui& ui, double value, const std::string& unit) {
+  const double size = std::abs(value);
+  const std::string number = ui.number(value, size < 10.0 ? 3 : size < 1000.0 ? 1 : 0);
+  return unit == "\u00b0" || unit.empty() || unit.front() == '/' ? number + unit
+                                                                 : number + " " + unit;
+}
+
+std::string perSecond(const Ui& ui, SectionUnit unit, const char* seconds) {
+  return amountUnit(ui, unit) + seconds;
+}
+
+void fields(Ui& ui, const Rect& rect, const Rect& row, const Session& session,
+            const SpeedWindowMemory& memory, Actions& actions) {
+  const SpeedValues& values = session.currentOrientation().speed;
+  const auto box = [&](int column) {
+    const float width = ui.px(kColumn - 2);
+    return Rect{speedColumn(rect, column) - width / 2, row.y, width, row.height};
+  };
+  for (int j = 0; j < kSpeedValues; ++j) {
+    const double value = values[static_cast<std::size_t>(j)];
+    const auto typed = ui.field("speed/v" + std::to_string(j), box(j + 1), value,
+                                {.decimals = value == std::round(value) ? 0 : 1,
+                                 .enabled = memory.graph.has_value(),
+                                 .weight = Weight::kSemibold});
+    actions.typed(typed, [&](double entered) { return Command("set-speed-value", j, entered); });
+  }
+  const auto neighbour = [&](const char* id, int column, std::optional<double> speed) {
+    if (!speed) return;
+    const std::string words = ui.number(*speed, *speed == std::round(*speed) ? 0 : 1);
+    ui.text(box(column), words, {.colour = ColourRole::kTextSecondary, .align = Align::kCentre});
+    ui.shows(id, box(column), words);
+  };
+  if (!memory.graph) return;
+  neighbour("speed/before", 0, memory.graph->before);
+  neighbour("speed/after", 11, memory.graph->after);
+}
+
+// Buttons that take over the neighbours' speeds, where they jump; the section between them.
+void matches(Ui& ui, const Rect& row, const Session& session, const SpeedWindowMemory& memory,
+             Actions& actions) {
+  const SpeedGraph* graph = memory.graph ? &*memory.graph : nullptr;
+  const float width = ui.px(150);
+  const bool first = graph != nullptr && graph->jumpsBefore();
+  const bool last = graph != nullptr && graph->jumpsAfter();
+  commandButton(ui, "speed/match_before", {row.x, row.y, width, row.height}, "match-speed before",
+                session, actions, {.enabled = first});
+  commandButton(ui, "speed/match_after", {row.right() - width, row.y, width, row.height},
+                "match-speed after", session, actions, {.enabled = last});
+  const SpeedValues& values = session.currentOrientation().speed;
+  const auto jump = [&](const char* id, double from, double to, Align align) {
+    const float half = (row.width - 2 * width) / 2 - ui.px(12);
+    const float x = align == Align::kLeft ? row.x + width + ui.px(8) : row.centreX() + ui.px(4);
+    const std::string words = fmt::format("{} {} \u2192 {}", ui.words("speed.jump"),
+                                          ui.number(from, 0), ui.number(to, 0));
+    const Rect box{x, row.y, half, row.height};
+    ui.text(box, words, {.colour = ColourRole::kError, .weight = Weight::kSmall, .align = align});
+    ui.shows(id, box, words);
+  };
+  if (first) jump("speed/jump_before", *graph->before, values.front(), Align::kLeft);
+  if (last) jump("speed/jump_after", values.back(), *graph->after, Align::kRight);
+}
+
+// A small graph with a heading and a value at the right.
+void smallGraph(Ui& ui, const Rect& rect, const char* id, const std::string& value,
+                const SpeedGraph* graph, double low, double high,
+                const std::function<double(const SpeedGraph::Point&)>& of, ColourRole role) {
+  const Rect heading{rect.x, rect.y, rect.width, ui.px(18)};
+  const float width = ui.textWidth(value, Weight::kSmall);
+  ui.text({heading.x, heading.y, heading.width - width - ui.px(8), heading.height}, ui.words(id),
+          {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall});
+  ui.text({heading.right() - width, heading.y, width, heading.height}, value,
+          {.weight = Weight::kSmall, .align = Align::kRight});
+  const Rect ground{rect.x, heading.bottom() + ui.px(2), rect.width,
+                    rect.bottom() - heading.bottom() - ui.px(2)};
+  ui.fill(ground, ColourRole::kField, 3.0f);
+  ui.shows(id, rect, value);
+  const Rect inner = ground.inset(ui.px(8));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float range = static_cast<float>(high - low);
+  const auto y = [&](double v) {
+    return inner.bottom() - inner.height * static_cast<float>(v - low) / range;
+  };
+  const float zero = std::round(y(0.0)) + 0.5f;
+  list.AddLine({ground.x, zero}, {ground.right(), zero}, ui.colour(ColourRole::kBorder), 1.0f);
+  if (graph == nullptr) return;
+  std::vector<ImVec2> points;
+  for (const SpeedGraph::Point& p : graph->points) {
+    points.emplace_back(inner.x + inner.width * static_cast<float>(p.tau), y(of(p)));
+  }
+  list.AddPolyline(points.data(), static_cast<int>(points.size()), ui.colour(role), 0,
+                   1.8f * ui.scale());
+}
+
+void lowerGraphs(Ui& ui, const Rect& row, const SpeedWindowMemory& memory) {
+  const auto boxes = split(ui, row, 2, 16.0f);
+  const SpeedGraph* graph = memory.graph ? &*memory.graph : nullptr;
+  const double amount = graph != nullptr && graph->amount > 0.0 ? graph->amount : 1.0;
+  smallGraph(
+      ui, boxes[0], "speed/way",
+      graph ? measured(ui, graph->amount, amountUnit(ui, graph->unit)) : "", graph, 0.0, amount,
+      [](const SpeedGraph::Point& p) { return p.way; }, ColourRole::kCurve);
+  const double most = graph != nullptr && graph->most > 0.0 ? graph->most : 1.0;
+  smallGraph(
+      ui, boxes[1], "speed/acceleration",
+      graph ? "\u00b1 " + measured(ui, graph->most, perSecond(ui, graph->unit, "/s\u00b2")) : "",
+      graph, -most, most, [](const SpeedGraph::Point& p) { return p.acceleration; },
+      ColourRole::kCurve);
+}
+
+std::string easeId(std::string_view name) {
+  std::string id = "speed/ease_" + std::string(name);
+  std::replace(id.begin(), id.end(), '-', '_');
+  return id;
+}
+
+// A button with the curve that it makes.
+void easeButton(Ui& ui, const Rect& box, std::string_view name, const Session& session,
+                Actions& actions, bool enabled) {
+  const std::string id = easeId(name);
+  const SpeedValues values = *easeValues(name);
+  const bool on = enabled && values == session.currentOrientation().speed;
+  if (ui.pictureButton(id, box,
+                       {.enabled = enabled, .on = on, .toggle = true, .tooltip = ui.words(id)})) {
+    actions.run(Command("ease", std::string(name)));
+  }
+  const SpeedCurve curve(values);
+  constexpr int kChords = 36;
+  std::vector<ImVec2> points;
+  const Rect inner = box.inset(ui.px(6));
+  for (int i = 0; i <= kChords; ++i) {
+    const double tau = static_cast<double>(i) / kChords;
+    points.emplace_back(inner.x + inner.width * static_cast<float>(tau),
+                        inner.bottom() - inner.height * static_cast<float>(curve.at(tau) / 100.0));
+  }
+  ImGui::GetWindowDrawList()->AddPolyline(
+      points.data(), static_cast<int>(points.size()),
+      ui.colour(enabled ? ColourRole::kText : ColourRole::kTextDisabled), 0, 1.5f * ui.scale());
+}
+
+void easeGrid(Ui& ui, Stack& rows, const Session& session, Actions& actions, bool enabled) {
+  constexpr const char* kRows[] = {"sine", "parabola", "acceleration"};
+  constexpr const char* kColumns[] = {"in", "out", "in-out"};
+  ui.text(rows.row(20), ui.words("speed.ease"), {.weight = Weight::kSemibold});
+  const auto boxesOf = [&](const Rect& row) {
+    const float label = ui.px(66);
+    return split(ui, {row.x + label, row.y, row.width - label, row.height}, 3);
+  };
+  const auto label = [&](const Rect& row, const std::string& key) {
+    ui.text({row.x, row.y, ui.px(62), row.height}, ui.words(key),
+            {.colour = ColourRole::kTextSecondary});
+  };
+  const Rect constant = rows.row(28);
+  label(constant, "speed.constant");
+  easeButton(ui, boxesOf(constant)[0], "constant", session, actions, enabled);
+  for (const char* kind : kRows) {
+    rows.gap(4);
+    const Rect row = rows.row(28);
+    label(row, std::string("speed.") + kind);
+    const auto boxes = boxesOf(row);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      easeButton(ui, boxes[i], std::string(kColumns[i]) + "-" + kind, session, actions, enabled);
+    }
+  }
+}
+
+void duration(Ui& ui, Stack& rows, const Session& session, const SpeedWindowMemory& memory,
+              Actions& actions) {
+  const Orientation& orientation = session.currentOrientation();
+  const SpeedGraph* graph = memory.graph ? &*memory.graph : nullptr;
+  const bool owns = graph != nullptr;
+  const double fps = session.flight().frameRate;
+  const std::int64_t frames = owns ? graph->frames : 0;
+  const auto row = [&](const char* key) {
+    const Rect all = rows.row(kRow);
+    rows.gap(4);
+    ui.text({all.x, all.y, ui.px(96), all.height}, ui.words(key),
+            {.colour = ColourRole::kTextSecondary});
+    return Rect{all.right() - ui.px(84), all.y, ui.px(84), all.height};
+  };
+  const auto field = [&](const char* id, const char* key, double value, int decimals,
+                         const std::string& suffix, bool enabled, const char* command) {
+    const auto typed = ui.field(
+        id, row(key), value,
+        {.decimals = decimals, .suffix = suffix, .enabled = enabled, .weight = Weight::kSemibold});
+    actions.typed(typed, [&](double entered) { return Command(command, entered); });
+  };
+  field("speed/seconds", "speed/duration",
+        orientation.duration.value_or(static_cast<double>(frames) / fps), 2, " s", owns,
+        "set-duration");
+  field("speed/frames", "speed.frames", static_cast<double>(frames), 0,
+        " " + ui.words("frames_short"), owns, "set-duration-frames");
+  field("speed/hold_seconds", "speed/hold", orientation.hold, 2, " s", true, "set-hold");
+  commandButton(ui, "speed/by_rate", rows.row(kRow), "clear-duration", session, actions,
+                {.enabled = orientation.duration.has_value()});
+  rows.gap(4);
+  if (!owns) return;
+  const std::string unit = perSecond(ui, graph->unit, "/s");
+  ui.valueRow(rows.row(18), "speed/mean", ui.words("speed/mean"), measured(ui, graph->mean, unit));
+  ui.valueRow(rows.row(18), "speed/fastest", ui.words("speed/fastest"),
+              measured(ui, graph->fastest, unit));
+}
+
+std::string heading(const Ui& ui, const Session& session, const SpeedWindowMemory& memory) {
+  std::string words = fmt::format("{} \u00b7 {} {} \u00b7 {} {} {} {}", ui.words("panel/speed"),
+                                  ui.words("position/key"), session.current().key + 1,
+                                  ui.words("orientation/short"), session.current().orientation + 1,
+                                  ui.words("of"), session.currentKey().orientations.size());
+  if (memory.graph) {
+    words += " \u00b7 " + ui.words("kind/" + std::string(name(memory.graph->kind)));
+  }
+  return words;
+}
+
+}  // namespace
+
+void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Actions& actions) {
+  follow(session, memory);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const FloatingFrame frame{"speed",
+                            kWidth,
+                            kHeight,
+                            heading(ui, session, memory),
+                            std::round((screen.x - ui.px(kWidth)) / 2),
+                            std::max(ui.px(36), screen.y - ui.px(kHeight) - ui.px(160))};
+  const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
+    const Rect graph{room.x + ui.px(kAxis), room.y, ui.px(12 * kColumn), ui.px(200)};
+    speedCurveArea(ui, graph, session, memory, actions);
+    const Rect numbers{graph.x, graph.bottom() + ui.px(4), graph.width, ui.px(kRow)};
+    fields(ui, graph, numbers, session, memory, actions);
+    const Rect buttons{graph.x, numbers.bottom() + ui.px(6), graph.width, ui.px(kRow)};
+    matches(ui, buttons, session, memory, actions);
+    const float top = buttons.bottom() + ui.px(8);
+    lowerGraphs(ui, {graph.x, top, graph.width, room.bottom() - top}, memory);
+    if (memory.graph && memory.graph->unit != SectionUnit::kNone) {
+      const std::string unit = perSecond(ui, memory.graph->unit, "/s");
+      ui.text({graph.right() + ui.px(6), numbers.y, ui.px(kThere), numbers.height}, unit,
+              {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .mayShorten = true});
+    }
+    const float left = graph.right() + ui.px(kThere) + ui.px(8);
+    Stack rows(ui, left, room.y, room.right() - left);
+    easeGrid(ui, rows, session, actions, memory.graph.has_value());
+    rows.gap(10);
+    duration(ui, rows, session, memory, actions);
+  });
+  if (!stays) actions.run(Command("close-window", "speed"));
+}
+
+}  // namespace vides
