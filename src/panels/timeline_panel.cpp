@@ -3,11 +3,13 @@
 #include "panels/timeline_panel.hpp"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "edit/timeline_marks.hpp"
 #include "panels/left_panels.hpp"
 
 namespace vides {
@@ -137,12 +139,90 @@ std::string kindWord(const Ui& ui, SectionKind kind) {
   return ui.words("kind/" + std::string(name(kind)));
 }
 
+Command endCommand(const TimelineView::EndDrag& end, std::int64_t frames, double fps) {
+  if (end.hold) return Command("set-hold", static_cast<double>(frames) / fps);
+  return Command("set-duration-frames", frames);
+}
+
+// The value above the end that is dragged.
+void tellEnd(Ui& ui, const Rect& row, const Track& track, const TimelineView::EndDrag& end,
+             double fps) {
+  const std::string words =
+      fmt::format("{} s \u00b7 {} {}", ui.number(static_cast<double>(end.frames) / fps, 2),
+                  end.frames, ui.words("frames_short"));
+  const float width = ui.textWidth(words, Weight::kSemibold) + ui.px(16);
+  const float x = track.x(static_cast<double>(end.firstFrame + end.frames));
+  const Rect box{std::clamp(std::round(x - width / 2), row.x, std::max(row.x, row.right() - width)),
+                 row.y - ui.px(28), width, ui.px(22)};
+  ui.fill(box, ColourRole::kPanel, 4.0f);
+  ui.outline(box, ColourRole::kBorder, 4.0f);
+  ui.text(box, words, {.weight = Weight::kSemibold, .align = Align::kCentre});
+  ui.shows("timeline/duration", box, words);
+}
+
+// A section's end is dragged along: its duration, or the hold's, follows.
+void dragEnd(Ui& ui, const Rect& row, const Track& track, const Session& session,
+             const Ui::AreaState& state, TimelineView& view, Actions& actions) {
+  constexpr const char* kId = "timeline/sections";
+  const double fps = session.flight().frameRate;
+  const float pointer = ImGui::GetIO().MousePos.x;
+  const TimelineRange range{track.firstFrame, track.framesPerPixel, static_cast<double>(row.width)};
+  if (!view.end && (state.hovered || state.pressed) && !view.panning) {
+    const auto section =
+        sectionEndAt(session.evaluation(), range, static_cast<double>(pointer - row.x),
+                     static_cast<double>(ui.px(4)));
+    if (!section) return;
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (!state.pressed) return;
+    // An edit of the current section, as all are.
+    if (session.current() != section->from) {
+      actions.run(Command("make-current", section->from.key, section->from.orientation));
+    }
+    const double end = static_cast<double>(section->firstFrame + section->frames);
+    view.end = TimelineView::EndDrag{section->from == section->to,
+                                     section->firstFrame,
+                                     section->frames,
+                                     section->frames,
+                                     end - track.frame(pointer),
+                                     false};
+    ui.memory().dragging = kId;
+  }
+  if (!view.end) return;
+  TimelineView::EndDrag& end = *view.end;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  const auto finish = [&](Phase phase) {
+    const std::int64_t frames = phase == Phase::kCancel ? end.before : end.frames;
+    if (end.previewed) actions.during(endCommand(end, frames, fps), phase);
+    view.end.reset();
+    if (ui.memory().dragging == kId) ui.memory().dragging.clear();
+  };
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    ImGui::ClearActiveID();
+    return finish(Phase::kCancel);
+  }
+  const auto least = static_cast<std::int64_t>(end.hold ? 0 : 1);
+  const double wanted = track.frame(pointer) + end.grip - static_cast<double>(end.firstFrame);
+  const std::int64_t frames = std::max(least, static_cast<std::int64_t>(std::llround(wanted)));
+  if (frames != end.frames) {
+    end.frames = frames;
+    end.previewed = true;
+    actions.during(endCommand(end, frames, fps), Phase::kPreview);
+  }
+  tellEnd(ui, row, track, end, fps);
+  if (!state.held) finish(Phase::kCommit);
+}
+
 // From left to right, never more bars than pixels: what is narrower shares a pixel.
 void sections(Ui& ui, const Rect& row, const Track& track, const Session& session,
-              Actions& actions) {
+              TimelineView& view, Actions& actions) {
   const Evaluation& evaluation = session.evaluation();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto state = ui.area("timeline/sections", row);
+  // A little wider than the bars, so that the last end can be held from outside.
+  const float reach = ui.px(4);
+  const auto state =
+      ui.area("timeline/sections", {row.x - reach, row.y, row.width + 2 * reach, row.height});
+  const bool dragged = view.end.has_value();
+  dragEnd(ui, row, track, session, state, view, actions);
   const float pointer = ImGui::GetIO().MousePos.x;
   std::optional<Rect> currentBar;
   auto frame = static_cast<std::int64_t>(std::max(0.0, std::floor(track.firstFrame)));
@@ -163,7 +243,7 @@ void sections(Ui& ui, const Rect& row, const Track& track, const Session& sessio
       ui.text({bar.x + ui.px(6), bar.y, bar.width - ui.px(12), bar.height}, words,
               {.weight = Weight::kSmall});
     }
-    if (hovered && state.released) {
+    if (hovered && state.released && !dragged) {
       actions.run(Command("make-current", section->from.key, section->from.orientation));
     }
     frame = std::max(static_cast<std::int64_t>(end),
@@ -180,50 +260,33 @@ void marks(Ui& ui, const Rect& row, const Track& track, const Session& session, 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto state = ui.area("timeline/marks", row);
   const float pointer = ImGui::GetIO().MousePos.x;
-  const KeyList& keys = session.flight().keys;
-  const auto frameOfKey = [&](std::size_t k) {
-    return static_cast<double>(evaluation.frameOf({k, 0}));
-  };
-  // Keys stand in the order of their frames: the first that is seen by bisection.
-  std::size_t low = 0;
-  std::size_t high = keys.size();
-  while (low < high) {
-    const std::size_t middle = (low + high) / 2;
-    if (track.x(frameOfKey(middle)) < track.left - 1.0f) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  // A key's later orientations may be seen where its first isn't.
-  if (low > 0) --low;
+  const double first = track.frame(row.x), apart = track.framesPerPixel;
   std::optional<OrientationPlace> clicked;
   float best = ui.px(6);
-  float drawnAt = -1e9f;
-  const auto mark = [&](const OrientationPlace& place) {
-    const float x = track.x(static_cast<double>(evaluation.frameOf(place)));
+  const auto mark = [&](const OrientationPlace& place, std::int64_t frame, bool isKey,
+                        ColourRole role) {
+    const float x = track.x(static_cast<double>(frame));
     if (!track.sees(x)) return;
-    const bool current = place == session.current();
     if (state.released && std::abs(pointer - x) < best) {
       best = std::abs(pointer - x);
       clicked = place;
     }
-    if (!current && x - drawnAt < 1.0f) return;
-    drawnAt = x;
-    const bool isKey = place.orientation == 0;
     const bool selected = isKey && session.selected().contains(place.key);
     const float radius = ui.scale() * (isKey ? 3.6f : 2.2f);
-    const ColourRole role = current ? ColourRole::kAccent : ColourRole::kKey;
     list.AddCircleFilled({x, row.centreY()}, radius, ui.colour(role));
     if (selected && session.selected().size() > 1) {
       list.AddCircle({x, row.centreY()}, radius + 2.0f * ui.scale(), ui.colour(role), 0,
                      1.2f * ui.scale());
     }
   };
-  for (std::size_t k = low; k < keys.size(); ++k) {
-    if (track.x(frameOfKey(k)) > track.right + 1.0f) break;
-    for (std::size_t o = 0; o < keys[k].orientations.size(); ++o) mark({k, o});
+  for (const TimelineMark& m :
+       timelineMarks(evaluation, {first, apart, static_cast<double>(row.width)})) {
+    mark(m.place, m.frame, m.key, ColourRole::kKey);
   }
+  // The current one is seen among however many.
+  const OrientationPlace current = session.current();
+  const std::int64_t frame = evaluation.frameOf(current);
+  mark(current, frame, evaluation.frameOf({current.key, 0}) == frame, ColourRole::kAccent);
   if (clicked) actions.run(Command("make-current", clicked->key, clicked->orientation));
 }
 
@@ -250,9 +313,10 @@ void strip(Ui& ui, const Rect& row, const Track& track, FlightGraphs& graphs) {
 }
 
 void playhead(Ui& ui, const Rect& ruler, float bottom, const Track& track, const Session& session,
-              Actions& actions) {
+              const TimelineView& view, Actions& actions) {
   const auto state = ui.area("timeline/playhead", ruler, std::to_string(session.frame()));
-  if (state.held) {
+  // With Ctrl held the ruler is dragged along instead.
+  if (state.held && !view.panning) {
     const std::int64_t frame = track.nearest(ImGui::GetIO().MousePos.x);
     if (frame != session.frame()) actions.run(Command("go-to-frame", frame));
   }
@@ -260,7 +324,8 @@ void playhead(Ui& ui, const Rect& ruler, float bottom, const Track& track, const
   if (!track.sees(x)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 ink = ui.colour(ColourRole::kPlayhead);
-  const float top = ruler.bottom() - ui.px(19);
+  // Below the ruler's numbers, which stay readable beside it.
+  const float top = ruler.bottom() - ui.px(9);
   const float half = ui.px(state.hovered || state.held ? 7 : 6);
   list.AddTriangleFilled({x - half, top}, {x + half, top}, {x, top + ui.px(8)}, ink);
   const float width = std::max(1.0f, std::round(1.4f * ui.scale()));
@@ -283,15 +348,22 @@ void navigate(Ui& ui, const Rect& rect, Track& track, TimelineView& view) {
     view.framesPerPixel = next;
     view.fit = next >= coarsest;
   }
-  if (over && ImGui::IsMouseClicked(2)) {
+  if (over && (ImGui::IsMouseClicked(2) || (io.KeyCtrl && ImGui::IsMouseClicked(0)))) {
     view.panning = true;
     view.panFrom = io.MousePos.x;
     view.panFirst = view.firstFrame;
   }
-  if (!ImGui::IsMouseDown(2)) view.panning = false;
+  if (!ImGui::IsMouseDown(2) && !ImGui::IsMouseDown(0)) view.panning = false;
+  if (view.panning) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (view.panning && !view.fit) {
     view.firstFrame =
         view.panFirst - static_cast<double>(io.MousePos.x - view.panFrom) * view.framesPerPixel;
+  }
+  if (view.end) {
+    // What is seen stays under the pointer while the flight becomes longer or shorter.
+    track.firstFrame = view.firstFrame;
+    track.framesPerPixel = view.framesPerPixel;
+    return;
   }
   if (view.fit) {
     view.firstFrame = 0.0;
@@ -338,14 +410,14 @@ void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraph
   const Rect rulerRow{track.left, row.bottom() + ui.px(4), width, ui.px(30)};
   ruler(ui, rulerRow, track, session.flight().frameRate);
   const Rect bars{track.left, rulerRow.bottom() + ui.px(2), width, ui.px(20)};
-  sections(ui, bars, track, session, actions);
+  sections(ui, bars, track, session, view, actions);
   const Rect markRow{track.left - ui.px(8), bars.bottom() + ui.px(1), width + ui.px(16), ui.px(12)};
   marks(ui, markRow, track, session, actions);
   const Rect stripRow{track.left, markRow.bottom() + ui.px(2), width,
                       rect.bottom() - ui.px(8) - markRow.bottom() - ui.px(2)};
   strip(ui, stripRow, track, graphs);
   playhead(ui, {rulerRow.x - ui.px(8), rulerRow.y, rulerRow.width + ui.px(16), rulerRow.height},
-           std::max(markRow.bottom(), stripRow.bottom()), track, session, actions);
+           std::max(markRow.bottom(), stripRow.bottom()), track, session, view, actions);
 }
 
 }  // namespace vides

@@ -19,6 +19,16 @@ struct TimelineView {
   bool panning = false;
   float panFrom = 0.0f;   // pointer at the press
   double panFirst = 0.0;  // firstFrame at the press
+  // A section's end that is dragged; the part that is seen stays meanwhile.
+  struct EndDrag {
+    bool hold = false;            // the hold before a section, else the section itself
+    std::int64_t firstFrame = 0;  // of the section
+    std::int64_t before = 0;      // its frames at the press …
+    std::int64_t frames = 0;      // … and now
+    double grip = 0.0;            // frames from the pointer to the end at the press
+    bool previewed = false;
+  };
+  std::optional<EndDrag> end;
 };
 
 void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraphs& graphs,

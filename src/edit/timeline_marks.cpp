@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What of a flight is seen on a timeline.
+#include "edit/timeline_marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vides {
+
+std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const TimelineRange& range) {
+  std::vector<TimelineMark> marks;
+  const std::int64_t last = evaluation.frameCount() - 1;
+  const double right = range.frame(range.pixels);
+  const auto add = [&](OrientationPlace place, std::int64_t frame) {
+    const bool key = evaluation.frameOf({place.key, 0}) == frame;
+    if (key) place.orientation = 0;
+    marks.push_back({place, frame, key});
+  };
+  auto frame = static_cast<std::int64_t>(std::max(0.0, std::ceil(range.firstFrame)));
+  while (frame <= last && static_cast<double>(frame) <= right) {
+    const auto section = evaluation.sectionAtFrame(frame);
+    if (!section) break;
+    std::int64_t next = section->firstFrame + section->frames;
+    // Where a section has begun before, its mark shares a pixel with the one before.
+    const std::int64_t stands = evaluation.frameOf(section->from);
+    if (stands >= frame && section->firstFrame >= frame) {
+      add(section->from, stands);
+      const double apart = static_cast<double>(stands) + range.framesPerPixel;
+      next = std::max(next, static_cast<std::int64_t>(std::ceil(apart)));
+    }
+    if (next <= frame) break;  // the last frame of an open flight
+    frame = next;
+  }
+  const Flight& flight = evaluation.flight();
+  if (!flight.closed && static_cast<double>(last) <= right && last >= range.firstFrame) {
+    const std::size_t key = flight.keys.size() - 1;
+    const OrientationPlace end{key, flight.keys[key].orientations.size() - 1};
+    const bool there = !marks.empty() && marks.back().frame == evaluation.frameOf(end);
+    if (!there) add(end, evaluation.frameOf(end));
+  }
+  return marks;
+}
+
+std::optional<Section> sectionEndAt(const Evaluation& evaluation, const TimelineRange& range,
+                                    double x, double reach) {
+  const double at =
+      std::clamp(std::floor(range.frame(x)), 0.0, static_cast<double>(evaluation.frameCount() - 1));
+  const auto here = evaluation.sectionAtFrame(static_cast<std::int64_t>(at));
+  if (!here) return std::nullopt;
+  const auto away = [&](const Section& section) {
+    return std::abs(range.x(static_cast<double>(section.firstFrame + section.frames)) - x);
+  };
+  std::optional<Section> best;
+  if (away(*here) <= reach) best = here;
+  if (here->index > 0) {
+    const Section before = evaluation.section(here->index - 1);
+    if (away(before) <= reach && (!best || away(before) < away(*best))) best = before;
+  }
+  return best;
+}
+
+}  // namespace vides

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// What the timeline shows: every mark of a small flight, a pixel's worth of a large one.
+#include "edit/timeline_marks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "edit/edit_fixture.hpp"
+
+namespace vides {
+namespace {
+
+TEST(TimelineMarks, EveryOrientationOfASmallFlight) {
+  Session session;
+  makeFive(session);
+  run(session, "select-key 2");
+  run(session, "set-hold 1");
+  const Evaluation& evaluation = session.evaluation();
+  const double frames = static_cast<double>(evaluation.frameCount() - 1);
+  const auto marks = timelineMarks(evaluation, {0.0, frames / 1000.0, 1000.0});
+  // Five keys; of the second key's three orientations two stand on one frame.
+  ASSERT_EQ(marks.size(), 6u);
+  std::size_t keys = 0;
+  for (const TimelineMark& mark : marks) {
+    EXPECT_EQ(mark.frame, evaluation.frameOf(mark.place));
+    EXPECT_EQ(mark.key, mark.place.orientation == 0);
+    keys += mark.key ? 1 : 0;
+  }
+  EXPECT_EQ(keys, 5u);
+  EXPECT_EQ(marks.back().place.key, 4u);
+  EXPECT_EQ(marks.back().frame, evaluation.frameCount() - 1);
+  // A part of it: what stands there.
+  const auto part = timelineMarks(evaluation, {1.0, 1.0, static_cast<double>(marks[2].frame)});
+  ASSERT_EQ(part.size(), 2u);
+  EXPECT_EQ(part[0].frame, marks[1].frame);
+  EXPECT_EQ(part[1].frame, marks[2].frame);
+}
+
+TEST(TimelineMarks, NoMoreThanPixelsInALargeFlight) {
+  Flight flight = newFlight();
+  std::vector<KeyPointer> keys;
+  for (int i = 0; i < 100'000; ++i) {
+    Key key;
+    key.position = {0.8 * std::sin(0.01 * i), 0.8 * std::cos(0.013 * i), 0.9 * std::sin(0.017 * i)};
+    key.orientations.front().aim = {0, 2, 0};
+    keys.emplace_back(std::move(key));
+  }
+  flight.keys = KeyList(keys);
+  const Evaluation evaluation(flight);
+  const double last = static_cast<double>(evaluation.frameCount() - 1);
+  for (const double share : {1.0, 0.1, 0.001}) {
+    const TimelineRange range{last * 0.3 * (1.0 - share), last * share / 1200.0, 1200.0};
+    const auto marks = timelineMarks(evaluation, range);
+    EXPECT_LE(marks.size(), 1202u);
+    EXPECT_GT(marks.size(), share == 1.0 ? 1000u : 50u);
+    for (std::size_t i = 1; i < marks.size(); ++i) {
+      EXPECT_GT(marks[i].frame, marks[i - 1].frame);
+      EXPECT_GE(range.x(static_cast<double>(marks[i].frame)), -1e-9);
+    }
+  }
+}
+
+TEST(TimelineMarks, FindsTheEndUnderThePointer) {
+  Session session;
+  makeFive(session);
+  const Evaluation& evaluation = session.evaluation();
+  const TimelineRange range{0.0, 0.5, 4000.0};
+  for (std::int64_t i = 0; i < evaluation.sectionCount(); ++i) {
+    const Section section = evaluation.section(i);
+    const double end = range.x(static_cast<double>(section.firstFrame + section.frames));
+    for (const double off : {-3.0, 0.0, 3.0}) {
+      const auto found = sectionEndAt(evaluation, range, end + off, 4.0);
+      ASSERT_TRUE(found) << i << ' ' << off;
+      EXPECT_EQ(found->index, i) << off;
+    }
+    EXPECT_FALSE(sectionEndAt(evaluation, range, end - 6.0, 4.0));
+  }
+  EXPECT_FALSE(sectionEndAt(evaluation, range, 0.0, 4.0));
+}
+
+}  // namespace
+}  // namespace vides
