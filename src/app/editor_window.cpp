@@ -40,6 +40,16 @@ void endStack(const Stack& stack, float top) {
   ImGui::Dummy({1.0f, std::max(1.0f, stack.y() - top)});
 }
 
+// In a low window the columns need the room more, unless the user has chosen a height.
+float timelineHeight(const Ui& ui, const Layout& layout, float height) {
+  constexpr float kLeast = 116.0f;
+  constexpr float kShare = 0.2f;
+  const float wanted = ui.px(layout.timeline);
+  if (layout.timeline != Layout().timeline) return std::min(wanted, height * 0.5f);
+  const float low = std::max(ui.px(kLeast), std::round(height * kShare));
+  return std::min({wanted, low, height * 0.5f});
+}
+
 Rect below(const Rect& rect, float height) {
   return {rect.x, rect.y + height, rect.width, std::max(0.0f, rect.height - height)};
 }
@@ -223,8 +233,12 @@ void Editor::Parts::splitters(Ui& ui, const Rect& all, const Rect& left, const R
          next.leftShown, 1.0f, kColumnWidth);
   change("view/right_splitter", {right.x - thick / 2, all.y, thick, height}, true, next.right,
          next.rightShown, -1.0f, kColumnWidth);
+  // From the height that is seen, which a low window makes less.
+  const float seen = timelineRect.height / ui.scale();
+  float timelineNow = seen;
   change("view/timeline_splitter", {all.x, timelineRect.y - thick / 2, all.width, thick}, false,
-         next.timeline, next.timelineShown, -1.0f, kTimelineHeight);
+         timelineNow, next.timelineShown, -1.0f, kTimelineHeight);
+  if (timelineNow != seen) next.timeline = timelineNow;
   if (next != layout) actions.layout = next;
 }
 
@@ -263,8 +277,7 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
 void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {
   const Layout& layout = session.layout();
   // What is too large for the window gives way: columns before the viewport.
-  const float bar =
-      layout.timelineShown ? std::min(ui.px(layout.timeline), all.height * 0.5f) : 0.0f;
+  const float bar = layout.timelineShown ? timelineHeight(ui, layout, all.height) : 0.0f;
   const Rect timelineRect{all.x, all.bottom() - bar, all.width, bar};
   const float spare = std::max(0.0f, all.width - ui.px(kLeastViewport));
   const float wantedLeft = layout.leftShown ? ui.px(layout.left) : 0.0f;

@@ -32,7 +32,8 @@ std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const Time
     frame = next;
   }
   const Flight& flight = evaluation.flight();
-  if (!flight.closed && static_cast<double>(last) <= right && last >= range.firstFrame) {
+  if (!flight.closed && static_cast<double>(last) <= right &&
+      static_cast<double>(last) >= range.firstFrame) {
     const std::size_t key = flight.keys.size() - 1;
     const OrientationPlace end{key, flight.keys[key].orientations.size() - 1};
     const bool there = !marks.empty() && marks.back().frame == evaluation.frameOf(end);

@@ -246,8 +246,11 @@ void sections(Ui& ui, const Rect& row, const Track& track, const Session& sessio
     if (hovered && state.released && !dragged) {
       actions.run(Command("make-current", section->from.key, section->from.orientation));
     }
-    frame = std::max(static_cast<std::int64_t>(end),
-                     static_cast<std::int64_t>(std::ceil(track.frame(right))));
+    const std::int64_t next = std::max(static_cast<std::int64_t>(end),
+                                       static_cast<std::int64_t>(std::ceil(track.frame(right))));
+    // An open flight's last frame belongs to its last section.
+    if (next <= frame) break;
+    frame = next;
   }
   if (currentBar) {
     list.AddRect({currentBar->x, currentBar->y}, {currentBar->right(), currentBar->bottom()},
