@@ -179,7 +179,7 @@ bool Ui::pictureButton(std::string_view id, const Rect& rect, const ButtonStyle&
   registerWidget(id, words(id), style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
                  style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
   ground(rect, state, style);
-  tooltip(id, state, style.tooltip);
+  tooltip(id, state, style);
   return state.pressed;
 }
 
