@@ -20,6 +20,9 @@ constexpr float kRow = 22.0f;
 constexpr float kAxis = 30.0f;   // left of the curve: 1 to 100
 constexpr float kThere = 50.0f;  // right of it: the same in the scene
 constexpr float kColumn = 44.0f;
+constexpr const char* kValues[kSpeedValues] = {"speed/v0", "speed/v1", "speed/v2", "speed/v3",
+                                               "speed/v4", "speed/v5", "speed/v6", "speed/v7",
+                                               "speed/v8", "speed/v9"};
 
 void follow(const Session& session, SpeedWindowMemory& memory) {
   const bool same = memory.evaluation && memory.evaluation->sameAs(session.evaluation()) &&
@@ -64,7 +67,7 @@ void fields(Ui& ui, const Rect& rect, const Rect& row, const Session& session,
   };
   for (int j = 0; j < kSpeedValues; ++j) {
     const double value = values[static_cast<std::size_t>(j)];
-    const auto typed = ui.field("speed/v" + std::to_string(j), box(j + 1), value,
+    const auto typed = ui.field(kValues[j], box(j + 1), value,
                                 {.decimals = value == std::round(value) ? 0 : 1,
                                  .enabled = memory.graph.has_value(),
                                  .weight = Weight::kSemibold});
