@@ -241,6 +241,10 @@ class Parser {
         ->type_name("FILE");
     drive_->add_flag("--list-widgets", drive.listWidgets,
                      "Print every widget's identifier and label instead");
+    drive_
+        ->add_option("--operated", drive.operated,
+                     "Write which commands, shortcuts and widgets the script operated")
+        ->type_name("FILE");
     drive_->footer(kDriveFooter);
   }
 

@@ -31,10 +31,17 @@ bool useSetup(Session& session, const std::string& path) {
 
 int listWidgets(Player& player) {
   Output output;
-  for (const auto& [id, label] : allWidgets(player)) {
+  for (const auto& [id, widget] : allWidgets(player)) {
+    const std::string& label = widget.label;
     output.write(label.empty() ? id + "\n" : fmt::format("{:<32} {}\n", id, label));
   }
   return output.finish() ? kExitDone : kFailed;
+}
+
+bool writeOperated(const Player& player, const std::string& path) {
+  Output output(path);
+  for (const std::string& line : player.operated()) output.write(line + "\n");
+  return output.finish();
 }
 
 }  // namespace
@@ -58,7 +65,8 @@ int runDrive(const DriveCommand& command) {
   // What was said before a line failed is said all the same.
   ScriptRunner runner(player, [&](const std::string& line) { output.write(line + "\n"); });
   const auto done = runner.run(command.script, *script);
-  const bool written = output.finish();
+  bool written = output.finish();
+  if (command.operated) written = writeOperated(player, *command.operated) && written;
   if (!done) {
     std::cerr << done.error() << '\n';
     return kFailed;

@@ -56,6 +56,7 @@ struct DriveCommand {
   std::optional<std::string> language;  // en or de; nothing: the setup's
   std::optional<std::string> setup;     // nothing: the built-in one
   bool listWidgets = false;             // instead of a script
+  std::optional<std::string> operated;  // where to write what the script operated
   std::string offscreen = "osmesa";
 };
 int runDrive(const DriveCommand& command);

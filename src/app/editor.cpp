@@ -16,6 +16,10 @@ namespace {
 
 constexpr double kGlideSeconds = 0.15;
 constexpr double kDisplayFrame = 1.0 / 60.0;
+// Pixels at content scale 1 that the largest windows take.
+constexpr struct {
+  double width = 640.0, height = 540.0;
+} kWindowsNeed;
 constexpr double kTooltipDelay = 0.65;
 // Seconds of a walk at most in one display frame: after a hitch the camera must not leap.
 constexpr double kMostWalk = 0.1;
@@ -55,6 +59,7 @@ SessionSeams seamsOf(const EditorOptions& options) {
   SessionSeams seams;
   seams.clipboard = options.clipboard;
   seams.setClipboard = options.setClipboard;
+  seams.ran = options.ran;
   // The size of a scene, so that the first one imported fits the cube.
   seams.sceneBounds = [](const std::string& path) -> tl::expected<SceneBounds, Text> {
     const ReadScene read = readSceneFile(path);
@@ -108,8 +113,11 @@ Editor::Editor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Editor::~Editor() = default;
 
 // Fonts and style for the scale and theme at hand. Error: no room for the fonts' texture.
-void Editor::Parts::fitScale(double contentScale) {
-  const double chosen = session.display().contentScale;
+void Editor::Parts::fitScale(double contentScale, PixelSize size) {
+  // A chosen scale keeps the windows reachable, or nobody could take it back.
+  const double chosen = std::min(
+      session.display().contentScale,
+      std::max(1.0, std::min(size.width / kWindowsNeed.width, size.height / kWindowsNeed.height)));
   const double wanted =
       std::clamp(chosen > 0.0 ? chosen : contentScale, kLeastContentScale, kMostContentScale);
   const Theme wantedColours = themeOf(session.display());
@@ -178,6 +186,14 @@ void Editor::Parts::stepGlide() {
   if (share >= 1.0) glide.reset();
 }
 
+void Editor::Parts::endGlide() {
+  if (!glide) return;
+  ViewState state = session.view();
+  state.view = glide->to;
+  session.setView(state);
+  glide.reset();
+}
+
 EditorView glided(const EditorView& from, const EditorView& to, double share) {
   const double eased = share * share * (3.0 - 2.0 * share);
   EditorView view = to;
@@ -230,7 +246,7 @@ FrameOutcome Editor::frame(const FrameInput& given) {
   p.time = std::max(p.time, given.time);
   p.input.add(given.events);
   if (!given.events.empty()) p.settling = kSettlingFrames;
-  p.fitScale(given.contentScale);
+  p.fitScale(given.contentScale, given.size);
   p.session.advance(p.time);
   p.stepGlide();
   if (given.size.empty()) {
@@ -248,6 +264,8 @@ FrameOutcome Editor::frame(const FrameInput& given) {
   p.draw(given);
   ++p.framesDrawn;
   if (p.settling > 0) --p.settling;
+  // What is kept of the view is where it was going.
+  if (p.session.quitRequested()) p.endGlide();
   return p.outcome();
 }
 

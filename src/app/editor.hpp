@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "edit/session.hpp"
+#include "edit/shortcuts.hpp"
 #include "input/input_event.hpp"
 #include "panels/actions.hpp"
 #include "panels/fonts.hpp"
@@ -32,6 +33,9 @@ struct EditorOptions {
   // Work in threads is waited for in the display frame that began it: scripts see what came of it.
   bool waitForWork = false;
   FontSet fonts;  // built ahead, or empty
+  // Told of every command that did what it says, and of every shortcut that was pressed.
+  std::function<void(const Command&)> ran;
+  std::function<void(const Shortcut&)> pressed;
 };
 
 // What one display frame is made from.

@@ -117,7 +117,9 @@ void Editor::Parts::keyChanged(const KeyChanged& change) {
   // The chooser has all keys for itself, unless something is asked.
   if (!windowsMemory.chooser.window.empty() && !session.question()) return;
   const Shortcut* shortcut = shortcutFor(change.key, change.modifiers, change.repeated);
-  if (shortcut != nullptr) run(shortcut->command);
+  if (shortcut == nullptr) return;
+  if (options.pressed) options.pressed(*shortcut);
+  run(shortcut->command);
 }
 
 std::string Editor::Parts::shortcutOf(std::string_view commandLine) const {

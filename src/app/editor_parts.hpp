@@ -81,12 +81,13 @@ struct Editor::Parts {
   std::int64_t framesDrawn = 0;
 
   // editor.cpp
-  void fitScale(double contentScale);
+  void fitScale(double contentScale, PixelSize size);
   bool pass(const FrameInput& given);
   void draw(const FrameInput& given);
   void apply(const Actions& actions);
   bool run(const Command& command);
   void stepGlide();
+  void endGlide();
   FrameOutcome outcome();
   // editor_events.cpp
   bool notice(const InputEvent& event);

@@ -222,7 +222,10 @@ void Editor::Parts::splitters(Ui& ui, const Rect& all, const Rect& left, const R
   Layout next = layout;
   const auto change = [&](const char* id, const Rect& rect, bool vertical, float& size, bool& on,
                           float sign, const Range& range) {
-    const SplitterChange by = splitter(ui, id, rect, vertical);
+    // Above the regions beside it, which would have the pointer otherwise.
+    SplitterChange by;
+    region(("###" + std::string(id)).c_str(), rect,
+           [&](const Rect&) { by = splitter(ui, id, rect, vertical); });
     if (by.fold) on = !on;
     if (by.by != 0.0f && on)
       size = std::clamp(size + sign * by.by, static_cast<float>(range.min),
@@ -292,7 +295,6 @@ void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {
   ui.fill(left, ColourRole::kColumn);
   ui.fill(right, ColourRole::kColumn);
   ui.fill(timelineRect, ColourRole::kColumn);
-  splitters(ui, all, left, right, timelineRect, actions);
   if (!view.empty()) viewportArea(ui, view, actions);
   if (!left.empty()) leftColumn(ui, left, actions);
   if (!right.empty()) rightColumn(ui, right, actions);
@@ -305,6 +307,7 @@ void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {
   ui.fill({left.right(), all.y, layout.leftShown ? line : 0.0f, middle}, ColourRole::kWindow);
   ui.fill({right.x - line, all.y, layout.rightShown ? line : 0.0f, middle}, ColourRole::kWindow);
   ui.fill({all.x, timelineRect.y, all.width, bar > 0.0f ? line : 0.0f}, ColourRole::kWindow);
+  splitters(ui, all, left, right, timelineRect, actions);
 }
 
 }  // namespace vides

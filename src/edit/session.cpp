@@ -97,7 +97,10 @@ bool Session::execute(const Command& command) {
   if (inWindow() && findCommand(command.name)->exclusive) interruptWindow();
   const auto done = run(command);
   if (!gesture_) endGesture();
-  if (done) return true;
+  if (done) {
+    if (seams_.ran) seams_.ran(command);
+    return true;
+  }
   // A failure (of the disk, say) is told as such already.
   if (output_ == OutputLine{MessageKind::kError, done.error()}) return false;
   return refuse(done.error());
@@ -257,7 +260,9 @@ bool Session::preview(const Command& command) {
   const EditResult result = (*edit)(state_, Arguments(command));
   if (!result) return refuse(result.error());
   if (!gesture_->window) gesture_->step = result->step;
-  return preview(result->flight);
+  if (!preview(result->flight)) return false;
+  if (seams_.ran) seams_.ran(command);
+  return true;
 }
 
 void Session::commit() {

@@ -75,6 +75,8 @@ struct SessionSeams {
   std::function<std::string()> clipboard;
   std::function<void(const std::string&)> setClipboard;
   std::function<tl::expected<SceneBounds, Text>(const std::string& path)> sceneBounds;
+  // Told of every command that did what it says, also of those that preview.
+  std::function<void(const Command&)> ran;
   std::size_t historyBytes = History::kMostBytes;
 };
 

@@ -76,9 +76,11 @@ void entry(Ui& ui, const MenuEntry& item, const Session& session, const Layout& 
 
 void recentFiles(Ui& ui, const Session& session, Actions& actions) {
   const auto& files = session.recentFiles();
-  const std::string label = ui.words("menu/file/recent") + "###menu/file/recent";
-  const bool open = ImGui::BeginMenu(label.c_str(), !files.empty());
-  ui.note("menu/file/recent", ui.words("menu/file/recent"), WidgetKind::kMenu, !files.empty());
+  const std::string words = ui.words("menu/file/recent");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Rect rect{at.x, at.y, ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()};
+  const bool open = ImGui::BeginMenu((words + "###menu/file/recent").c_str(), !files.empty());
+  ui.menu("menu/file/recent", rect, words, !files.empty(), open);
   if (!open) return;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string id = "menu/file/recent_" + std::to_string(i);
@@ -88,6 +90,19 @@ void recentFiles(Ui& ui, const Session& session, Actions& actions) {
     ui.note(id, files[i], WidgetKind::kMenuItem, true);
   }
   ImGui::EndMenu();
+}
+
+void entries(Ui& ui, const Menu& menu, const Session& session, const Layout& layout,
+             Actions& actions) {
+  for (const MenuEntry& item : menu.entries) {
+    if (item.id.empty()) {
+      ImGui::Separator();
+    } else if (item.id == "menu/file/recent") {
+      recentFiles(ui, session, actions);
+    } else {
+      entry(ui, item, session, layout, actions);
+    }
+  }
 }
 
 void outputLine(Ui& ui, const Rect& bar, const Session& session) {
@@ -185,20 +200,14 @@ void menuBar(Ui& ui, const Session& session, const Layout& layout, Actions& acti
   float end = corner.x;
   for (const Menu& menu : menus()) {
     const std::string label = ui.words(menu.id);
+    const float begin = ImGui::GetCursorScreenPos().x;
     const bool open = ImGui::BeginMenu((label + "###" + menu.id).c_str());
-    ui.note(menu.id, label, WidgetKind::kMenu, true, open ? "open" : "");
-    end = ImGui::GetItemRectMax().x;
-    if (!open) continue;
-    for (const MenuEntry& item : menu.entries) {
-      if (item.id.empty()) {
-        ImGui::Separator();
-      } else if (item.id == "menu/file/recent") {
-        recentFiles(ui, session, actions);
-      } else {
-        entry(ui, item, session, layout, actions);
-      }
+    if (open) {
+      entries(ui, menu, session, layout, actions);
+      ImGui::EndMenu();
     }
-    ImGui::EndMenu();
+    end = ImGui::GetCursorScreenPos().x - ImGui::GetStyle().ItemSpacing.x;
+    ui.menu(menu.id, {begin, corner.y, end - begin, height}, label, true, open);
   }
   ImGui::PopStyleVar(2);
   outputLine(ui, {end, corner.y, corner.x + ImGui::GetWindowWidth() - end, height}, session);

@@ -202,6 +202,12 @@ void Ui::note(std::string_view id, std::string_view label, WidgetKind kind, bool
   registerWidget(id, label, kind, {low.x, low.y, size.x, size.y}, enabled, value);
 }
 
+void Ui::menu(std::string_view id, const Rect& rect, std::string_view label, bool enabled,
+              bool open) {
+  setting_.registry.add({std::string(id), std::string(label), WidgetKind::kMenu, rect, rect,
+                         open ? "open" : "", enabled});
+}
+
 Rect Stack::row(float heightAtScale1) {
   const Rect result{x_, y_, width_, ui_->px(heightAtScale1)};
   y_ += result.height;

@@ -197,6 +197,8 @@ class Ui {
   // Widgets that Dear ImGui draws (menus): told to the registry after the fact.
   void note(std::string_view id, std::string_view label, WidgetKind kind, bool enabled,
             std::string_view value = {});
+  // A menu, whose place is not Dear ImGui's last item any more once it is open.
+  void menu(std::string_view id, const Rect& rect, std::string_view label, bool enabled, bool open);
 
  private:
   struct Press {

@@ -229,7 +229,9 @@ Ui::Typed Ui::typeNumber(std::string_view id, const Rect& rect) {
   if (!ended || !typed) return {};
   std::string plain = *typed;
   // Units may stand behind the number, and the minus that we show is one.
-  for (std::size_t at; (at = plain.find("\u2212")) != std::string::npos;) plain.replace(at, 3, "-");
+  for (std::size_t at; (at = plain.find("\u2212")) != std::string::npos;) {
+    plain = plain.substr(0, at) + "-" + plain.substr(at + 3);
+  }
   while (!plain.empty() && plain.back() == ' ') plain.pop_back();
   while (!plain.empty() && plain.front() == ' ') plain.erase(0, 1);
   if (const auto value = setting_.parse(plain)) return {*value, std::nullopt};

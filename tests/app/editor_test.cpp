@@ -108,6 +108,31 @@ TEST(Editor, WithoutItsColumnTheSmallPictureIsNowhere) {
   EXPECT_FALSE(editor.viewport().empty());
 }
 
+TEST(Editor, SplittersResizeAndFold) {
+  Stage one = stage({1280, 800}, 1.0);
+  Player& player = *one.player;
+  player.frame();
+  const auto drag = [&](const std::string& splitter, double dx, double dy) {
+    const Widget* const widget = player.editor().widgets().find(splitter);
+    ASSERT_NE(widget, nullptr) << splitter;
+    const double x = static_cast<double>(widget->rect.centreX()) - 2.0;
+    const double y = static_cast<double>(widget->rect.centreY()) - 2.0;
+    player.move(x, y);
+    player.button(PointerButton::kLeft, true);
+    player.move(x + dx, y + dy);
+    player.button(PointerButton::kLeft, false);
+    player.frame();
+  };
+  const Rect before = player.editor().viewport();
+  drag("view/left_splitter", 40.0, 0.0);
+  drag("view/right_splitter", -30.0, 0.0);
+  drag("view/timeline_splitter", 0.0, -20.0);
+  const Rect after = player.editor().viewport();
+  EXPECT_EQ(after.x, before.x + 40.0f);
+  EXPECT_EQ(after.right(), before.right() - 30.0f);
+  EXPECT_EQ(after.bottom(), before.bottom() - 20.0f);
+}
+
 TEST(Editor, WalkingAsksForDisplayFrames) {
   Stage one = stage({1280, 800}, 1.0);
   Player& player = *one.player;

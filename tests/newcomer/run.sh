@@ -85,7 +85,10 @@ first_run() {
   time inside 0:0 "$home/vides/dev" run --version > "$out" 2> "$err" && cat "$err" "$out" &&
     grep -q '^vides [0-9]' "$out" && (($(wc -l < "$out") == 1))
 }
-first_test() { time inside 0:0 "$home/vides/dev" test > "$out" 2> "$err" && tail -n 3 "$out"; }
+first_test() {
+  time inside 0:0 "$home/vides/dev" test > "$out" 2> "$err" || { cat "$err" "$out"; return 1; }
+  tail -n 3 "$out"
+}
 second_run() {
   local start=${EPOCHREALTIME/./} took
   inside 0:0 "$home/vides/dev" run --version > "$out" 2> "$err" || return 1
@@ -95,7 +98,7 @@ second_run() {
 }
 offline_as_user() {
   local program
-  program=$(tree=$tree home=$home unshare --net -- bash -c "$(declare -f inside); inside \"\$@\"" \
+  program=$(tree=$tree home=$home/theirs unshare --net -- bash -c "$(declare -f inside); inside \"\$@\"" \
     bash 65534:65534 "$home/theirs/dev" build 2> "$err" | tail -n 1) || { cat "$err"; return 1; }
   [[ $program == /* && -x $tree$program ]]
 }

@@ -31,13 +31,17 @@ tl::expected<std::unique_ptr<Player>, std::string> Player::create(OffscreenHost&
   options.setClipboard = [&host](const std::string& text) { host.setClipboard(text); };
   options.glide = false;
   options.waitForWork = waitForWork;
+  std::unique_ptr<Player> player(new Player(host));
+  std::set<std::string>& operated = player->operated_;
+  options.ran = [&operated](const Command& c) { operated.insert("command " + c.name); };
+  options.pressed = [&operated](const Shortcut& s) {
+    operated.insert("shortcut " + scriptName(s));
+  };
   auto editor = Editor::create(host.gl(), std::move(options));
   if (!editor) return Failure(editor.error());
-  return std::unique_ptr<Player>(new Player(host, std::move(*editor)));
+  player->editor_ = std::move(*editor);
+  return player;
 }
-
-Player::Player(OffscreenHost& host, std::unique_ptr<Editor> editor)
-    : host_(host), editor_(std::move(editor)) {}
 
 // A height near y where the wheel scrolls the column: over the pictures it means something else.
 double Player::besidePictures(double x, double y) const {
@@ -74,8 +78,22 @@ void Player::event(InputEvent event) {
   frame();
 }
 
-void Player::move(double x, double y) { event(PointerMoved{x, y}); }
+// Areas are operated by the pointer, wherever that comes from.
+void Player::noteAreas() {
+  for (const auto& [id, widget] : editor_->widgets().widgets()) {
+    const bool over =
+        widget.visible.contains(static_cast<float>(pointer_.x), static_cast<float>(pointer_.y));
+    if (over && widget.kind == WidgetKind::kArea) operated_.insert("widget " + id);
+  }
+}
+
+void Player::move(double x, double y) {
+  pointer_ = {x, y};
+  event(PointerMoved{x, y});
+}
+
 void Player::button(PointerButton button, bool pressed) {
+  if (pressed) noteAreas();
   event(ButtonChanged{button, pressed, modifiers_});
 }
 
@@ -153,6 +171,7 @@ tl::expected<void, std::string> Player::clickWidget(const std::string& id) {
   if (!widget->enabled)
     return Failure(fmt::format("expected {} to be enabled, found it greyed", id));
   click(static_cast<double>(widget->rect.centreX()), static_cast<double>(widget->rect.centreY()));
+  operated_.insert("widget " + id);
   return {};
 }
 
@@ -181,9 +200,11 @@ tl::expected<void, std::string> Player::setWidget(const std::string& id, const s
         return Failure(fmt::format("expected on or off for {}, found {}", id, value));
       }
       if (on != (value == "on")) click(x, y);
+      operated_.insert("widget " + id);
       return {};
     }
     case WidgetKind::kChoice: {
+      operated_.insert("widget " + id);
       // Its entries are on screen, or come there by a click.
       if (editor_->widgets().find(id + "_" + value) != nullptr)
         return clickWidget(id + "_" + value);
@@ -195,6 +216,7 @@ tl::expected<void, std::string> Player::setWidget(const std::string& id, const s
       return Failure(
           fmt::format("expected {} to take a value, found a {}", id, name(widget->kind)));
   }
+  operated_.insert("widget " + id);
   frame();
   tap(KeyboardKey::kA, {.control = true});
   value.empty() ? tap(KeyboardKey::kDelete, {}) : type(value);

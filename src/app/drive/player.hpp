@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -48,19 +49,25 @@ class Player {
   tl::expected<void, std::string> clickWidget(const std::string& id);
   tl::expected<void, std::string> setWidget(const std::string& id, const std::string& value);
 
+  // What has been operated, a line each: "command NAME", "shortcut KEYS", "widget ID".
+  const std::set<std::string>& operated() const { return operated_; }
+
   // The window as it is drawn when nothing moves any more; the script's time stands.
   tl::expected<Picture, std::string> picture();
 
  private:
-  Player(OffscreenHost& host, std::unique_ptr<Editor> editor);
+  explicit Player(OffscreenHost& host) : host_(host) {}
   tl::expected<Widget, std::string> bringIntoSight(const std::string& id);
   double besidePictures(double x, double y) const;
+  void noteAreas();
   void draw();
 
   OffscreenHost& host_;
   std::unique_ptr<Editor> editor_;
   FrameOutcome outcome_;
   Modifiers modifiers_;
+  Vec2 pointer_{-1.0};
+  std::set<std::string> operated_;
 };
 
 }  // namespace vides

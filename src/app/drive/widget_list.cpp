@@ -7,16 +7,20 @@
 
 namespace vides {
 
-std::map<std::string, std::string> allWidgets(Player& player) {
-  std::map<std::string, std::string> all;
+std::map<std::string, Widget> allWidgets(Player& player) {
+  std::map<std::string, Widget> all;
   const auto collect = [&] {
-    for (const auto& [id, widget] : player.editor().widgets().widgets()) all[id] = widget.label;
+    for (const auto& [id, widget] : player.editor().widgets().widgets()) all[id] = widget;
   };
   player.frame();
   collect();
   for (const Menu& menu : menus()) {
     for (const MenuEntry& entry : menu.entries) {
-      if (!entry.id.empty()) all[entry.id] = player.editor().label(entry.id);
+      if (entry.id.empty()) continue;
+      Widget& widget = all[entry.id];
+      widget.id = entry.id;
+      widget.label = player.editor().label(entry.id);
+      widget.kind = WidgetKind::kMenuItem;
     }
   }
   const CommandSpecification* show = findCommand("show-window");

@@ -9,7 +9,7 @@
 
 namespace vides {
 
-// Identifiers and their labels in the current language. Opens and closes every window.
-std::map<std::string, std::string> allWidgets(Player& player);
+// By identifier, labels in the current language. Opens and closes every window.
+std::map<std::string, Widget> allWidgets(Player& player);
 
 }  // namespace vides
