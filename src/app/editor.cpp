@@ -17,9 +17,7 @@ namespace {
 constexpr double kGlideSeconds = 0.15;
 constexpr double kDisplayFrame = 1.0 / 60.0;
 // Pixels at content scale 1 that the largest windows take.
-constexpr struct {
-  double width = 640.0, height = 540.0;
-} kWindowsNeed;
+constexpr struct { double width = 640.0, height = 540.0; } kWindowsNeed;
 constexpr double kTooltipDelay = 0.65;
 // Seconds of a walk at most in one display frame: after a hitch the camera must not leap.
 constexpr double kMostWalk = 0.1;
