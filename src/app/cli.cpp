@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -23,14 +22,6 @@
 
 namespace vides {
 namespace {
-
-struct NamedFormat {
-  const char* name;
-  FrameFormat format;
-};
-constexpr std::array kFormats = {
-    NamedFormat{"vides", FrameFormat::kVides}, NamedFormat{"csv", FrameFormat::kCsv},
-    NamedFormat{"json", FrameFormat::kJson}, NamedFormat{"chan", FrameFormat::kChan}};
 
 constexpr const char* kFramesFooter = R"(
 Formats:
@@ -272,14 +263,12 @@ class Parser {
   }
 
   void setFormat(const std::string& text) {
-    std::vector<std::string> names;
-    for (const NamedFormat& f : kFormats) {
-      if (text == f.name) {
-        frames.options.format = f.format;
-        return;
-      }
-      names.emplace_back(f.name);
+    if (const auto format = frameFormat(text)) {
+      frames.options.format = *format;
+      return;
     }
+    std::vector<std::string> names;
+    for (const FrameFormat format : kFrameFormats) names.emplace_back(name(format));
     const std::string near = nearestWord(text, names);
     throw CLI::ValidationError("--format",
                                fmt::format("unknown format '{}': {}", text,

@@ -64,6 +64,8 @@ fs::path typedPath(const fs::path& folder, std::string_view typed) {
   return (folder / typed).lexically_normal();
 }
 
+std::string fileName(const std::string& path) { return fs::path(path).filename().string(); }
+
 fs::path configFolder() { return ownFolder("XDG_CONFIG_HOME", ".config"); }
 fs::path stateFolder() { return ownFolder("XDG_STATE_HOME", ".local/state"); }
 

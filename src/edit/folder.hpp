@@ -25,6 +25,9 @@ tl::expected<std::vector<FolderEntry>, std::string> readFolder(
 // A typed name in a folder: absolute paths and "~/" stand for themselves; without "." and "..".
 std::filesystem::path typedPath(const std::filesystem::path& folder, std::string_view typed);
 
+// A path's last part, as files are told of.
+std::string fileName(const std::string& path);
+
 // The user's own folder; empty where the system names none.
 std::filesystem::path homeFolder();
 

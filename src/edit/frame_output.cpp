@@ -2,7 +2,6 @@
 // Names, endings and counts of written frames.
 #include "edit/frame_output.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -13,50 +12,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view endingOf(FrameFormat format) {
-  switch (format) {
-    case FrameFormat::kVides:
-      break;
-    case FrameFormat::kCsv:
-      return ".csv";
-    case FrameFormat::kJson:
-      return ".json";
-    case FrameFormat::kChan:
-      return ".chan";
-  }
-  return ".txt";
+std::string endingOf(FrameFormat format) {
+  return format == FrameFormat::kVides ? ".txt" : "." + std::string(name(format));
 }
 
 }  // namespace
 
-std::string_view name(FrameFormat format) {
-  switch (format) {
-    case FrameFormat::kVides:
-      break;
-    case FrameFormat::kCsv:
-      return "csv";
-    case FrameFormat::kJson:
-      return "json";
-    case FrameFormat::kChan:
-      return "chan";
-  }
-  return "vides";
-}
-
-FrameFormat frameFormat(std::string_view wanted) {
-  const auto found = std::find_if(kFrameFormats.begin(), kFrameFormats.end(),
-                                  [&](FrameFormat format) { return name(format) == wanted; });
-  return found == kFrameFormats.end() ? FrameFormat::kVides : *found;
-}
-
-FrameSpace spaceOf(const FrameOptions& options) {
-  const bool chan = options.format == FrameFormat::kChan;
-  return options.space.value_or(chan ? FrameSpace::kWorld : FrameSpace::kCube);
-}
-
 std::int64_t frameCountOf(const FrameOptions& options, std::int64_t frames) {
-  const std::int64_t last = std::clamp<std::int64_t>(options.last, 0, frames);
-  return last - std::clamp<std::int64_t>(options.first, 0, last);
+  const FrameRange range = clipped(options, frames);
+  return range.last - range.first;
 }
 
 bool takesAll(const FrameOptions& options, std::int64_t frames) {
@@ -71,17 +35,17 @@ std::string frameFile(const FrameOutput& output, const std::string& flightPath,
   if (!output.file.empty()) {
     const fs::path file = typedPath(folder, output.file);
     const bool ended = file.has_extension() || fs::exists(fs::symlink_status(file, error));
-    return file.string() + std::string(ended ? "" : endingOf(output.options.format));
+    return file.string() + (ended ? "" : endingOf(output.options.format));
   }
   const std::string stem = flight.empty() ? untitled : flight.stem().string();
-  return (folder / (stem + std::string(endingOf(output.options.format)))).string();
+  return (folder / (stem + endingOf(output.options.format))).string();
 }
 
 std::string withEndingOf(const std::string& file, FrameFormat format) {
   for (const FrameFormat other : kFrameFormats) {
-    const std::string_view ending = endingOf(other);
+    const std::string ending = endingOf(other);
     if (file.size() > ending.size() && file.ends_with(ending)) {
-      return file.substr(0, file.size() - ending.size()) + std::string(endingOf(format));
+      return file.substr(0, file.size() - ending.size()) + endingOf(format);
     }
   }
   return file;

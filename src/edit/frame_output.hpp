@@ -2,29 +2,18 @@
 // What Output → Frames… is set to: which frames, how, and into which file.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "io/frame_writer.hpp"
 
 namespace vides {
-
-inline constexpr std::array kFrameFormats{FrameFormat::kVides, FrameFormat::kCsv,
-                                          FrameFormat::kJson, FrameFormat::kChan};
-// "vides", "csv", "json", "chan": as commands, lists and the command line name it.
-std::string_view name(FrameFormat format);
-// The format of that name, which must be one.
-FrameFormat frameFormat(std::string_view name);
 
 struct FrameOutput {
   FrameOptions options;
   std::string file;  // as chosen or typed; empty: beside the flight, with its name
 };
 
-// What positions are written in, chosen or the format's own.
-FrameSpace spaceOf(const FrameOptions& options);
 // How many of a flight's frames these options take.
 std::int64_t frameCountOf(const FrameOptions& options, std::int64_t frames);
 // Whether they take all of them.

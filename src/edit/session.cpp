@@ -3,9 +3,9 @@
 #include "edit/session.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "edit/command_table.hpp"
+#include "edit/folder.hpp"
 #include "edit/frame_job.hpp"
 #include "flight/validation.hpp"
 #include "io/vid_reader.hpp"
@@ -344,7 +344,7 @@ std::optional<Text> Session::redoName() const {
 Text Session::title() const {
   const char* key = modified() ? "title.modified" : "title.saved";
   if (path().empty()) return Text(key, {Text("title.untitled")});
-  return Text(key, {std::filesystem::path(path()).filename().string()});
+  return Text(key, {fileName(path())});
 }
 
 Setup Session::setup() const {

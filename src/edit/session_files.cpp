@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "edit/clipboard_text.hpp"
+#include "edit/folder.hpp"
 #include "edit/frame_job.hpp"
 #include "edit/key_edits.hpp"
 #include "edit/session_actions.hpp"
@@ -12,10 +13,6 @@ namespace vides {
 namespace {
 
 using Result = SessionActions::Result;
-
-std::string fileName(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
 
 std::string withEnding(const std::string& path) {
   return path.ends_with(".vid") ? path : path + ".vid";

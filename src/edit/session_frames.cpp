@@ -5,6 +5,7 @@
 #include <limits>
 #include <system_error>
 
+#include "edit/folder.hpp"
 #include "edit/frame_job.hpp"
 #include "edit/session_actions.hpp"
 
@@ -14,18 +15,16 @@ namespace {
 namespace fs = std::filesystem;
 using Result = SessionActions::Result;
 
-std::string nameOf(const std::string& path) { return fs::path(path).filename().string(); }
-
 // Why frames must not go there; nothing where they may.
 std::optional<Text> obstacleAt(const std::string& file, const std::string& flightPath) {
   std::error_code error;
   if (!flightPath.empty() && fs::equivalent(file, flightPath, error)) {
-    return Text("refusal.frames-over-flight", {nameOf(file)});
+    return Text("refusal.frames-over-flight", {fileName(file)});
   }
   const fs::file_status status = fs::status(file, error);
   // A pipe may never be read from: the thread that waits for it couldn't be ended.
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    return Text("refusal.no-file", {nameOf(file)});
+    return Text("refusal.no-file", {fileName(file)});
   }
   return std::nullopt;
 }
@@ -36,7 +35,7 @@ std::string Session::framesFile() const { return frameFile(frameOutput_, path(),
 
 Result SessionActions::framesFormat(Session& session, const Arguments& arguments) {
   FrameOutput& output = session.frameOutput_;
-  output.options.format = frameFormat(arguments.text(0));
+  output.options.format = *frameFormat(arguments.text(0));  // checked before
   output.file = withEndingOf(output.file, output.options.format);
   return {};
 }
@@ -93,7 +92,7 @@ Result SessionActions::writeFrames(Session& session, const Arguments&) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(file, error)) && file != session.framesAgreed_) {
     session.question_ = Question{Question::Kind::kFramesExist,
-                                 Text("chooser.overwrite", {nameOf(file)}),
+                                 Text("chooser.overwrite", {fileName(file)}),
                                  {"overwrite", "cancel"}};
     session.afterAnswer_ = Command("write-frames");
     session.output_ = {};  // of what was refused before
@@ -101,7 +100,7 @@ Result SessionActions::writeFrames(Session& session, const Arguments&) {
   }
   session.framesAgreed_ = file;
   session.frameJob_ = std::make_unique<FrameJob>(session.evaluation(), options, file);
-  session.output_ = {MessageKind::kDone, Text("output.writing-frames", {nameOf(file)})};
+  session.output_ = {MessageKind::kDone, Text("output.writing-frames", {fileName(file)})};
   return {};
 }
 
@@ -120,7 +119,7 @@ void Session::finishFrames() {
 void Session::collectFrames() {
   if (!frameJob_ || !frameJob_->end()) return;
   const std::unique_ptr<FrameJob> job = std::move(frameJob_);
-  const std::string file = nameOf(job->file());
+  const std::string file = fileName(job->file());
   switch (*job->end()) {
     case FrameJob::End::kWritten:
       say(MessageKind::kDone, Text("output.frames-written", {job->frames(), file}));

@@ -15,9 +15,7 @@ namespace {
 constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
 
 std::unique_ptr<FrameText> makeText(const Flight& flight, const FrameOptions& options) {
-  const bool chan = options.format == FrameFormat::kChan;
-  const FrameSpace wanted = options.space.value_or(chan ? FrameSpace::kWorld : FrameSpace::kCube);
-  const Space space = wanted == FrameSpace::kWorld ? flight.space : Space{};
+  const Space space = spaceOf(options) == FrameSpace::kWorld ? flight.space : Space{};
   switch (options.format) {
     case FrameFormat::kVides:
       return makeVidesText(space);
@@ -33,10 +31,39 @@ std::unique_ptr<FrameText> makeText(const Flight& flight, const FrameOptions& op
 
 }  // namespace
 
+std::string_view name(FrameFormat format) {
+  switch (format) {
+    case FrameFormat::kVides:
+      break;
+    case FrameFormat::kCsv:
+      return "csv";
+    case FrameFormat::kJson:
+      return "json";
+    case FrameFormat::kChan:
+      return "chan";
+  }
+  return "vides";
+}
+
+std::optional<FrameFormat> frameFormat(std::string_view wanted) {
+  const auto found = std::find_if(kFrameFormats.begin(), kFrameFormats.end(),
+                                  [&](FrameFormat format) { return name(format) == wanted; });
+  return found == kFrameFormats.end() ? std::nullopt : std::optional(*found);
+}
+
+FrameSpace spaceOf(const FrameOptions& options) {
+  const bool chan = options.format == FrameFormat::kChan;
+  return options.space.value_or(chan ? FrameSpace::kWorld : FrameSpace::kCube);
+}
+
+FrameRange clipped(const FrameOptions& options, std::int64_t frames) {
+  const std::int64_t last = std::clamp<std::int64_t>(options.last, 0, frames);
+  return {std::clamp<std::int64_t>(options.first, 0, last), last};
+}
+
 bool writeFrames(const Evaluation& evaluation, const FrameOptions& options, const TextSink& sink,
                  const FrameProgress& progress) {
-  const std::int64_t last = std::clamp<std::int64_t>(options.last, 0, evaluation.frameCount());
-  const std::int64_t first = std::clamp<std::int64_t>(options.first, 0, last);
+  const auto [first, last] = clipped(options, evaluation.frameCount());
   const std::unique_ptr<FrameText> text = makeText(evaluation.flight(), options);
   if (const std::string head = text->head(); !head.empty() && !sink(head)) return false;
 

@@ -6,6 +6,7 @@
 // lines that it has in the whole.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -23,9 +24,21 @@ enum class FrameFormat {
   kJson,
   kChan,  // Nuke's .chan
 };
+inline constexpr std::array kFrameFormats{FrameFormat::kVides, FrameFormat::kCsv,
+                                          FrameFormat::kJson, FrameFormat::kChan};
+// "vides", "csv", "json", "chan": as commands, lists and the command line name it.
+std::string_view name(FrameFormat format);
+// The format of that name; nothing where there is none.
+std::optional<FrameFormat> frameFormat(std::string_view name);
 
 // What positions are written in. Directions are the same in both.
 enum class FrameSpace { kCube, kWorld };
+
+// Frames first <= n < last.
+struct FrameRange {
+  std::int64_t first = 0;
+  std::int64_t last = std::numeric_limits<std::int64_t>::max();
+};
 
 struct FrameOptions {
   FrameFormat format = FrameFormat::kVides;
@@ -34,6 +47,11 @@ struct FrameOptions {
   std::int64_t last = std::numeric_limits<std::int64_t>::max();
   std::int64_t firstNumber = 1;  // chan: the number that frame 0 of the flight gets
 };
+
+// What positions are written in, chosen or the format's own.
+FrameSpace spaceOf(const FrameOptions& options);
+// Those of a flight's so many frames that the options take.
+FrameRange clipped(const FrameOptions& options, std::int64_t frames);
 
 // Told now and then how many of how many frames are done; false stops it.
 using FrameProgress = std::function<bool(std::int64_t done, std::int64_t all)>;

@@ -95,9 +95,9 @@ void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::str
   if (*kindOf(memory).name != '\0') {
     rename(memory, kindOf(memory).name);
   } else if (window == "chooser-frames") {
-    rename(memory, fs::path(session.framesFile()).filename().string());
+    rename(memory, fileName(session.framesFile()));
   } else if (saves(memory)) {
-    const std::string file = fs::path(session.path()).filename().string();
+    const std::string file = fileName(session.path());
     rename(memory, file.empty() ? ui.words("title.untitled") + ".vid" : file);
   }
   memory.folder = folder;
@@ -302,7 +302,7 @@ void lastRow(Ui& ui, const Rect& row, const Session& session, ChooserMemory& mem
   if (words.empty() && wrong && !(output == memory.before)) words = ui.tell(output.text);
   const bool asks = memory.mode == Mode::kOverwrite;
   if (asks) {
-    words = ui.tell(Text("chooser.overwrite", {fs::path(memory.overwrites).filename().string()}));
+    words = ui.tell(Text("chooser.overwrite", {fileName(memory.overwrites)}));
   }
   ui.text({row.x, row.y, cancel.x - row.x - ui.px(8), row.height}, words,
           {.colour = asks ? ColourRole::kText : ColourRole::kError,
