@@ -149,14 +149,7 @@ void space(Form& form, const Session& session, Actions& actions) {
 }  // namespace
 
 void flightWindow(Ui& ui, const Session& session, WindowPlace& place, Actions& actions) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = 460.0f, height = 416.0f;
-  const FloatingFrame frame{"flight",
-                            width,
-                            height,
-                            ui.words("flight/heading"),
-                            std::round((screen.x - ui.px(width)) / 2),
-                            std::round((screen.y - ui.px(height)) / 2)};
+  const FloatingFrame frame{"flight", 460.0f, 416.0f, ui.words("flight/heading")};
   const bool open = floatingFrame(ui, frame, place, [&](const Rect& room) {
     const Flight& flight = session.flight();
     Form form(ui, room, 136.0f);

@@ -110,14 +110,7 @@ void buttons(Ui& ui, const Rect& row, const Session& session, Actions& actions) 
 }  // namespace
 
 void framesWindow(Ui& ui, const Session& session, WindowPlace& windowPlace, Actions& actions) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = 520.0f, height = 300.0f;
-  const FloatingFrame frame{"frames",
-                            width,
-                            height,
-                            ui.words("frames/heading"),
-                            std::round((screen.x - ui.px(width)) / 2),
-                            std::round((screen.y - ui.px(height)) / 2)};
+  const FloatingFrame frame{"frames", 520.0f, 300.0f, ui.words("frames/heading")};
   const bool open = floatingFrame(ui, frame, windowPlace, [&](const Rect& room) {
     const FrameOptions& options = session.frameOutput().options;
     Form form(ui, room, 128.0f);

@@ -265,12 +265,10 @@ std::string heading(const Ui& ui, const Session& session, const SpeedWindowMemor
 void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Actions& actions) {
   follow(session, memory);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const FloatingFrame frame{"speed",
-                            kWidth,
-                            kHeight,
-                            heading(ui, session, memory),
-                            std::round((screen.x - ui.px(kWidth)) / 2),
-                            std::max(ui.px(36), screen.y - ui.px(kHeight) - ui.px(160))};
+  const FloatingFrame frame{
+      "speed",      kWidth,
+      kHeight,      heading(ui, session, memory),
+      std::nullopt, std::max(ui.px(36), screen.y - ui.px(kHeight) - ui.px(160))};
   const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
     const Rect graph{room.x + ui.px(kAxis), room.y, ui.px(12 * kColumn), ui.px(200)};
     speedCurveArea(ui, graph, session, memory, actions);

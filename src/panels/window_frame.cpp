@@ -68,8 +68,10 @@ bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place,
     place.y = pointer.y - place.gripY;
   }
   // Wholly on the screen, also when that has become smaller.
-  const float x = std::round(std::clamp(place.moved ? place.x : frame.x, 0.0f, screen.x - w));
-  const float y = std::round(std::clamp(place.moved ? place.y : frame.y, 0.0f, screen.y - h));
+  const float wantedX = frame.x.value_or(std::round((screen.x - w) / 2));
+  const float wantedY = frame.y.value_or(std::round((screen.y - h) / 2));
+  const float x = std::round(std::clamp(place.moved ? place.x : wantedX, 0.0f, screen.x - w));
+  const float y = std::round(std::clamp(place.moved ? place.y : wantedY, 0.0f, screen.y - h));
   ImGui::SetNextWindowPos({x, y});
   ImGui::SetNextWindowSize({w, h});
   const std::string id = "###" + frame.area;

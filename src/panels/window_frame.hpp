@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "panels/ui.hpp"
@@ -32,7 +33,8 @@ struct FloatingFrame {
   std::string area;     // "shape": its heading is the area shape/heading
   float width, height;  // at content scale 1; less where the screen is smaller
   std::string heading;
-  float x = 0.0f, y = 0.0f;  // pixels: where it stands until it is moved; kept on the screen
+  // Pixels: where it stands until it is moved, kept on the screen; absent: in the middle.
+  std::optional<float> x = {}, y = {};
 };
 
 // Over the editor, which can be used on beside it. False if its close button was pressed.
