@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kGlideSeconds = 0.15;
 constexpr double kDisplayFrame = 1.0 / 60.0;
-// Pixels at content scale 1 that the largest windows take.
-constexpr struct { double width = 640.0, height = 540.0; } kWindowsNeed;
+// Pixels at content scale 1 that the settings window takes, where the scale is chosen.
+constexpr struct { double width = 640.0, height = 540.0; } kSettingsNeed;
 constexpr double kTooltipDelay = 0.65;
 // Seconds of a walk at most in one display frame: after a hitch the camera must not leap.
 constexpr double kMostWalk = 0.1;
@@ -112,10 +112,10 @@ Editor::~Editor() = default;
 
 // Fonts and style for the scale and theme at hand. Error: no room for the fonts' texture.
 void Editor::Parts::fitScale(double contentScale, PixelSize size) {
-  // A chosen scale keeps the windows reachable, or nobody could take it back.
-  const double chosen = std::min(
-      session.display().contentScale,
-      std::max(1.0, std::min(size.width / kWindowsNeed.width, size.height / kWindowsNeed.height)));
+  // A chosen scale keeps the settings reachable, or nobody could take it back.
+  const double chosen = std::min(session.display().contentScale,
+                                 std::max(1.0, std::min(size.width / kSettingsNeed.width,
+                                                        size.height / kSettingsNeed.height)));
   const double wanted =
       std::clamp(chosen > 0.0 ? chosen : contentScale, kLeastContentScale, kMostContentScale);
   const Theme wantedColours = themeOf(session.display());
@@ -178,10 +178,10 @@ bool Editor::Parts::run(const Command& command) {
 void Editor::Parts::stepGlide() {
   if (!glide) return;
   const double share = std::clamp((time - glide->since) / kGlideSeconds, 0.0, 1.0);
+  if (share >= 1.0) return endGlide();
   ViewState state = session.view();
-  state.view = share >= 1.0 ? glide->to : glided(glide->from, glide->to, share);
+  state.view = glided(glide->from, glide->to, share);
   session.setView(state);
-  if (share >= 1.0) glide.reset();
 }
 
 void Editor::Parts::endGlide() {

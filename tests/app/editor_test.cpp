@@ -133,6 +133,24 @@ TEST(Editor, SplittersResizeAndFold) {
   EXPECT_EQ(after.bottom(), before.bottom() - 20.0f);
 }
 
+// What is kept of the view at the end is where it was going.
+TEST(Editor, QuittingEndsAGlide) {
+  const Stage one = stage({1280, 800}, 1.0);
+  one.host->makeCurrent();
+  const auto editor = Editor::create(one.host->gl(), {});
+  ASSERT_TRUE(editor) << editor.error();
+  const auto turn = [&] { return (*editor)->session().view().view.turn; };
+  ASSERT_TRUE((*editor)->run(Command("view", "front")));
+  EXPECT_NE(turn(), 0.0);  // on its way
+  ASSERT_TRUE((*editor)->run(Command("quit")));
+  FrameInput input;
+  input.size = {1280, 800};
+  input.time = 0.01;
+  ASSERT_TRUE(one.host->beginDrawing());
+  EXPECT_TRUE((*editor)->frame(input).quit);
+  EXPECT_EQ(turn(), 0.0);
+}
+
 TEST(Editor, WalkingAsksForDisplayFrames) {
   Stage one = stage({1280, 800}, 1.0);
   Player& player = *one.player;

@@ -42,14 +42,7 @@ TEST_F(KeptTest, TheSetupIsThereAgain) {
   startProgram({});
   twin_->editor().session().setSetup(wanted);
   ASSERT_TRUE(twin_->editor().session().beginWithSample(file("twin").string()));
-  twin_->move(640, 790);
-  xdotool("mousemove 640 790");
-  ASSERT_TRUE(fallsAsleep());
-  for (int i = 0; i < 60; ++i) twin_->frame();
-  PictureTolerance tolerance;
-  tolerance.share = kEglShare;
-  EXPECT_TRUE(test::equalsPicture(peer_.screenshot(window_), twin_->picture().value(),
-                                  "window_with_setup", tolerance));
+  expectOnScreen("window_with_setup");
   const auto written = std::filesystem::last_write_time(setupFile());
   closeProgram();
   EXPECT_EQ(std::filesystem::last_write_time(setupFile()), written);  // nothing was changed
@@ -64,14 +57,7 @@ TEST_F(KeptTest, ABrokenSetupIsReplacedAndKept) {
   twin_->editor().session().say(
       MessageKind::kError,
       Text("output.setup-replaced", {setupFile(), readSetupFile(setupFile()).error().front()}));
-  twin_->move(640, 790);
-  xdotool("mousemove 640 790");
-  ASSERT_TRUE(fallsAsleep());
-  for (int i = 0; i < 60; ++i) twin_->frame();
-  PictureTolerance tolerance;
-  tolerance.share = kEglShare;
-  EXPECT_TRUE(test::equalsPicture(peer_.screenshot(window_), twin_->picture().value(),
-                                  "window_with_broken_setup", tolerance));
+  expectOnScreen("window_with_broken_setup");
   clickBoth("menu/settings");
   clickBoth("menu/settings/german");
   closeProgram();

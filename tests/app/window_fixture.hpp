@@ -166,6 +166,18 @@ class WindowTest : public testing::Test {
     twin_->button(button, false);
   }
 
+  // What the screen shows is what the twin shows, within what two drivers may differ.
+  void expectOnScreen(const std::string& name) {
+    twin_->move(640, 790);
+    xdotool("mousemove 640 790");
+    ASSERT_TRUE(fallsAsleep());
+    for (int i = 0; i < 60; ++i) twin_->frame();
+    PictureTolerance tolerance;
+    tolerance.share = kEglShare;
+    EXPECT_TRUE(
+        test::equalsPicture(peer_.screenshot(window_), twin_->picture().value(), name, tolerance));
+  }
+
   Vec2 placeOf(std::size_t key) {
     const Rect rect = twin_->editor().viewport();
     const PixelRectangle pixels{static_cast<double>(rect.x), static_cast<double>(rect.y),

@@ -39,15 +39,7 @@ TEST_F(WindowTest, DragsAndTypesAndSaves) {
   EXPECT_EQ(position(twin_->editor().session().current().key).x, 0.125);
   expectSavedAlike("typed");
 
-  // What the screen shows is what the twin shows, within what two drivers may differ.
-  twin_->move(640, 790);
-  xdotool("mousemove 640 790");
-  ASSERT_TRUE(fallsAsleep());
-  for (int i = 0; i < 60; ++i) twin_->frame();
-  PictureTolerance tolerance;
-  tolerance.share = kEglShare;
-  EXPECT_TRUE(test::equalsPicture(peer_.screenshot(window_), twin_->picture().value(),
-                                  "window_on_screen", tolerance));
+  expectOnScreen("window_on_screen");
 
   // Nothing is unsaved: the window goes without a question.
   closeProgram();
