@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "app/assets.hpp"
 #include "app/commands.hpp"
@@ -25,6 +27,16 @@ std::string shown(const fs::path& path) {
   const fs::path relative = fs::relative(path, unknown);
   return unknown || relative.empty() || *relative.begin() == ".." ? path.string()
                                                                   : relative.string();
+}
+
+// As a word that a shell takes for this text: in quotes where it needs them.
+std::string shellWord(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+,:@%=";
+  if (text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
 }
 
 }  // namespace
@@ -49,7 +61,7 @@ int writeSampleFrames() {
   writeFrames(evaluation, {}, [&](std::string_view piece) { return file.write(piece); });
   if (!file.finish()) return kFailed;
 
-  const std::string name = shown(*sample);
+  const std::string name = shellWord(shown(*sample));
   Output text;
   text.write(fmt::format(R"(Wrote out/pyramid.txt: {0} frames of the sample flight "{1}",
 a line a frame: VRP, VPN, VUP, zoom.

@@ -75,12 +75,12 @@ std::optional<SpeedGraph> speedGraph(const Evaluation& evaluation, const Orienta
   return graph;
 }
 
-double keptSpeed(double speed) {
-  return std::clamp(std::round(speed * 10.0) / 10.0, kMinSpeed, kMaxSpeed);
+double drawnSpeed(double speed, double step) {
+  return std::clamp(std::round(speed / step) * step, kMinSpeed, kMaxSpeed);
 }
 
-SpeedValues swept(const SpeedValues& values, double tau0, double speed0, double tau1,
-                  double speed1) {
+SpeedValues swept(const SpeedValues& values, double tau0, double speed0, double tau1, double speed1,
+                  double step) {
   constexpr double kHalfColumn = 0.5 / static_cast<double>(kIntervals);
   SpeedValues result = values;
   const double low = std::min(tau0, tau1), high = std::max(tau0, tau1);
@@ -93,7 +93,7 @@ SpeedValues swept(const SpeedValues& values, double tau0, double speed0, double 
     const bool towards = way == 0.0 || std::abs(tau - tau1) < std::abs(tau - tau0);
     if (!crossed && !(near && towards)) continue;
     const double share = crossed ? (tau - tau0) / way : 1.0;
-    result[j] = keptSpeed(speed0 + share * (speed1 - speed0));
+    result[j] = drawnSpeed(speed0 + share * (speed1 - speed0), step);
   }
   return result;
 }

@@ -47,11 +47,12 @@ struct SpeedGraph {
 std::optional<SpeedGraph> speedGraph(const Evaluation& evaluation, const OrientationPlace& place,
                                      int chords = 12);
 
-// A speed as the window keeps it: in tenths, from 1 to 100.
-double keptSpeed(double speed);
+// A speed as a hand draws it: in multiples of `step`, from 1 to 100.
+double drawnSpeed(double speed, double step = 1.0);
 // The values after a stroke from one place of the graph to another: each handle that it
-// crosses goes to the stroke's height there, and the one that it comes near to the pointer's.
-SpeedValues swept(const SpeedValues& values, double tau0, double speed0, double tau1,
-                  double speed1);
+// crosses goes to the stroke's height there, and the one that it comes near to the pointer's;
+// in multiples of `step`.
+SpeedValues swept(const SpeedValues& values, double tau0, double speed0, double tau1, double speed1,
+                  double step = 1.0);
 
 }  // namespace vides

@@ -99,7 +99,8 @@ void parameterRow(Ui& ui, const Rect& row, const char* name, double value, Actio
   // 0 is in the middle.
   const float middle = std::round(track.centreX()) - ui.px(1) / 2;
   ui.fill({middle, track.centreY() - ui.px(6), ui.px(1), ui.px(12)}, ColourRole::kSliderTrack);
-  const auto change = ui.slider(id, track, value, {.least = -1.0, .most = 1.0, .decimals = 2});
+  const auto change =
+      ui.slider(id, track, value, {.least = -1.0, .most = 1.0, .decimals = 2, .snap = 0.1});
   // Dragged, it goes in hundredths, and so also catches at 0.
   if (change) {
     const double hundredths = std::round(change->value * 100.0) / 100.0;

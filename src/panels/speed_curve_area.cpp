@@ -12,6 +12,7 @@ namespace {
 
 using Doing = SpeedWindowMemory::Doing;
 constexpr const char* kId = "speed/graph";
+constexpr double kCoarseStep = 5.0;  // of a speed that is drawn with Shift
 
 // From the curve's time and speed to pixels and back.
 struct Plane {
@@ -90,8 +91,9 @@ void pointer(Ui& ui, const Plane& plane, const Ui::AreaState& state, const Speed
     return;
   }
   SpeedValues next = memory.values;
+  const double step = ImGui::GetIO().KeyShift ? kCoarseStep : 1.0;
   if (memory.doing == Doing::kHandle) {
-    const double speed = keptSpeed(plane.speed(at.y + memory.grip));
+    const double speed = drawnSpeed(plane.speed(at.y + memory.grip), step);
     // A click on a handle changes nothing.
     const float moved = std::abs(plane.at(0.0, next[memory.handle]).y - (at.y + memory.grip));
     if (moved >= 0.5f) next[memory.handle] = speed;
@@ -99,7 +101,7 @@ void pointer(Ui& ui, const Plane& plane, const Ui::AreaState& state, const Speed
     const double tau = plane.tau(at.x), speed = plane.speed(at.y);
     const bool moved = tau != memory.lastTau || speed != memory.lastSpeed;
     if (moved || !memory.previewed) {
-      next = swept(next, memory.lastTau, memory.lastSpeed, tau, speed);
+      next = swept(next, memory.lastTau, memory.lastSpeed, tau, speed, step);
     }
     memory.lastTau = tau;
     memory.lastSpeed = speed;

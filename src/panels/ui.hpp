@@ -55,6 +55,7 @@ struct SliderStyle {
   bool vertical = false;  // the least is at the bottom
   bool enabled = true;
   int decimals = 2;
+  double snap = 0.0;  // with Shift it is dragged in multiples of this; 0 = it is not
 };
 
 struct FieldStyle {

@@ -31,13 +31,14 @@ std::optional<EditorView> viewportSliders(Ui& ui, const Rect& rect, const Sessio
           {.least = kMinViewSize, .most = kMaxViewSize, .logarithmic = true, .decimals = 2})) {
     next.size = change->value;
   }
-  if (const auto change = ui.slider("view/turn", turn, view.turn,
-                                    {.least = -180.0, .most = 180.0, .decimals = 1})) {
+  if (const auto change =
+          ui.slider("view/turn", turn, view.turn,
+                    {.least = -180.0, .most = 180.0, .decimals = 1, .snap = 15.0})) {
     next = turnedTo(view, session.view().pivot, change->value, view.tilt);
   }
-  if (const auto change =
-          ui.slider("view/tilt", tilt, view.tilt,
-                    {.least = -90.0, .most = 90.0, .vertical = true, .decimals = 1})) {
+  if (const auto change = ui.slider(
+          "view/tilt", tilt, view.tilt,
+          {.least = -90.0, .most = 90.0, .vertical = true, .decimals = 1, .snap = 15.0})) {
     next = turnedTo(view, session.view().pivot, view.turn, change->value);
   }
   return next == view ? std::nullopt : std::optional(next);

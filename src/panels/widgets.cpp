@@ -352,7 +352,10 @@ std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, dou
       memory.dragOffset = std::abs(pointer - at) <= knob ? at - pointer : 0.0f;
     }
     const double share = static_cast<double>((pointer + memory.dragOffset - from) / way);
-    const double next = valueAt(share, style);
+    double next = valueAt(share, style);
+    if (io.KeyShift && style.snap > 0.0) {
+      next = std::clamp(std::round(next / style.snap) * style.snap, style.least, style.most);
+    }
     const bool knobMoved =
         std::abs(shareOf(next, style) - shareOf(value, style)) * std::abs(way) >= 0.5;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {

@@ -12,8 +12,9 @@ namespace vides {
 void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) {
   panel(ui, column, "panel/zoom", [&](Stack& rows) {
     const double zoom = session.currentOrientation().zoom;
-    const auto change = ui.slider("zoom/value", rows.row(18), zoom,
-                                  {.least = kMinZoom, .most = kMaxZoom, .decimals = 1});
+    const auto change =
+        ui.slider("zoom/value", rows.row(18), zoom,
+                  {.least = kMinZoom, .most = kMaxZoom, .decimals = 1, .snap = 5.0});
     if (change) {
       // Dragged, it goes in tenths: what is shown is what is kept.
       const double tenths = std::round(change->value * 10.0) / 10.0;

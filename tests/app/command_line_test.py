@@ -2,6 +2,7 @@
 """What the command line accepts and refuses, and what it says about itself."""
 
 import re
+import shlex
 
 from program import FLIGHTS, NAMES, PYRAMID, SOURCE, ProgramTest, environment, main
 
@@ -150,7 +151,7 @@ class WithoutDisplay(ProgramTest):
         tried = 0
         for line in text.splitlines():
             if line.startswith("  vides ") and "FLIGHT" not in line:
-                self.output_of(*line.split()[1:])
+                self.output_of(*shlex.split(line)[1:])
                 tried += 1
         self.assertEqual(tried, 4)
         self.assertTrue((self.folder / "out" / "pyramid.chan").exists())
@@ -163,6 +164,18 @@ class WithoutDisplay(ProgramTest):
         self.assertIn(b"101 frames", text)
         self.refused(status=1, says="flights/pyramid.vid",
                      env=environment(VIDES_ASSETS=str(self.folder / "nowhere")))
+
+    def test_a_folder_that_a_shell_would_split_is_quoted(self):
+        flights = self.folder / "Anna's new $films" / "flights"
+        flights.mkdir(parents=True)
+        (flights / "pyramid.vid").write_bytes((FLIGHTS / "two-keys.vid").read_bytes())
+        for line in self.output_of(env=environment(
+                VIDES_ASSETS=str(flights.parent))).decode().splitlines():
+            if line.startswith("  vides info"):
+                self.assertEqual(shlex.split(line)[2:],
+                                 ["Anna's new $films/flights/pyramid.vid"])
+                return
+        self.fail("nothing to try")
 
     def test_out_is_in_the_way(self):
         (self.folder / "out").write_text("mine")

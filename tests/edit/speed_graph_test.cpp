@@ -115,19 +115,19 @@ TEST(SpeedGraph, MarksJumpsToTheNeighbours) {
 TEST(SpeedGraph, ASweepSetsTheHandlesItCrosses) {
   SpeedValues values;
   values.fill(50.0);
-  const SpeedValues once = swept(values, 2.0 / 9, 80.04, 2.0 / 9, 80.04);
+  const SpeedValues once = swept(values, 2.0 / 9, 80.4, 2.0 / 9, 80.4);
   for (std::size_t j = 0; j < values.size(); ++j) EXPECT_EQ(once[j], j == 2 ? 80.0 : 50.0);
   const SpeedValues all = swept(values, -0.5, 1.0, 1.5, 200.0);
   for (std::size_t j = 0; j < values.size(); ++j) {
     const double tau = static_cast<double>(j) / 9.0;
-    EXPECT_NEAR(all[j], std::clamp(1.0 + 199.0 * (tau + 0.5) / 2.0, 1.0, 100.0), 0.05) << j;
+    EXPECT_NEAR(all[j], std::clamp(1.0 + 199.0 * (tau + 0.5) / 2.0, 1.0, 100.0), 0.5) << j;
   }
   // The other way round the same; a fast stroke leaves none out.
   EXPECT_EQ(swept(values, 1.5, 200.0, -0.5, 1.0), all);
   const SpeedValues part = swept(values, 3.2 / 9, 10.0, 5.6 / 9, 90.0);
   EXPECT_EQ(part[2], 50.0);
   EXPECT_EQ(part[3], 50.0);  // left behind: the press has set it before
-  EXPECT_NEAR(part[4], 10.0 + 80.0 * 0.8 / 2.4, 0.05);
+  EXPECT_NEAR(part[4], 10.0 + 80.0 * 0.8 / 2.4, 0.5);
   EXPECT_EQ(part[6], 90.0);
   EXPECT_EQ(part[7], 50.0);
   // In many small steps the same as in one.
@@ -136,7 +136,7 @@ TEST(SpeedGraph, ASweepSetsTheHandlesItCrosses) {
     small =
         swept(small, -0.5 + i / 50.0, 1.0 + 1.99 * i, -0.5 + (i + 1) / 50.0, 1.0 + 1.99 * (i + 1));
   }
-  for (std::size_t j = 0; j < values.size(); ++j) EXPECT_NEAR(small[j], all[j], 0.11) << j;
+  for (std::size_t j = 0; j < values.size(); ++j) EXPECT_NEAR(small[j], all[j], 1.0) << j;
 }
 
 }  // namespace
