@@ -18,13 +18,7 @@ tl::expected<Picture, std::string> takePicture(const ScreenshotCommand& command,
     layout.bare = true;
     editor.setLayout(layout);
   }
-  if (command.view == "camera") {
-    ViewState view = editor.session().view();
-    view.swapped = true;
-    editor.session().setView(view);
-  } else {
-    editor.run(Command("view", command.view));
-  }
+  editor.run(Command("view", command.view));
   if (command.frame) {
     const std::int64_t frames = editor.session().evaluation().frameCount();
     if (*command.frame < 0 || *command.frame >= frames) {

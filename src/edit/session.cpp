@@ -50,7 +50,6 @@ void Session::reset(Flight flight) {
   playback_.stop();
   playback_.goTo(0);
   freeCamera_.reset();
-  view_.throughCamera = false;
   output_ = {};
   // Another flight: all of its frames, into a file of its own; format and space are kept.
   frameOutput_.options = {.format = frameOutput_.options.format,
@@ -365,7 +364,6 @@ void Session::setSetup(const Setup& setup) {
   view.tilt = setup.tilt;
   view.size = setup.size;
   view.type = setup.perspective ? ProjectionType::Perspective : ProjectionType::Parallel;
-  view_.throughCamera = false;
 }
 
 void Session::setRecentFiles(std::vector<std::string> files) {

@@ -24,31 +24,41 @@ struct Box {
   }
 };
 
+// The camera view has the viewport's place until a named view is asked for.
+void lookThroughCamera(ViewState& state) { state.swapped = state.throughCamera = true; }
+
+void leaveCamera(ViewState& state) {
+  if (state.throughCamera) state.swapped = state.throughCamera = false;
+}
+
 }  // namespace
 
 // --- The view ---
 
 Result SessionActions::view(Session& session, const Arguments& arguments) {
-  if (arguments.text(0) == "camera") return viewCamera(session, arguments);
-  const NamedView named = *namedView(arguments.text(0));
   ViewState& state = session.view_;
+  if (arguments.text(0) == "camera") {
+    if (!state.swapped) lookThroughCamera(state);
+    return {};
+  }
+  const NamedView named = *namedView(arguments.text(0));
   state.view = turnedTo(state.view, state.pivot, named.turn, named.tilt);
-  state.throughCamera = false;
+  leaveCamera(state);
   return {};
 }
 
 Result SessionActions::viewOpposite(Session& session, const Arguments&) {
   session.view_.view = opposite(session.view_.view, session.view_.pivot);
-  session.view_.throughCamera = false;
+  leaveCamera(session.view_);
   return {};
 }
 
 Result SessionActions::viewCamera(Session& session, const Arguments&) {
   ViewState& state = session.view_;
-  state.throughCamera = !state.throughCamera;
-  // When it is left, one goes on from the camera's direction.
-  if (state.throughCamera) {
-    state.view = lookingAlong(state.view, session.camera().viewPlaneNormal);
+  if (!state.swapped) {
+    lookThroughCamera(state);
+  } else {
+    state.swapped = state.throughCamera = false;
   }
   return {};
 }
@@ -57,7 +67,6 @@ Result SessionActions::perspective(Session& session, const Arguments& arguments)
   ProjectionType& type = session.view_.view.type;
   const bool on = switched(arguments, 0, type == ProjectionType::Perspective);
   type = on ? ProjectionType::Perspective : ProjectionType::Parallel;
-  session.view_.throughCamera = false;
   return {};
 }
 
@@ -68,21 +77,18 @@ Result SessionActions::setView(Session& session, const Arguments& arguments) {
   view.size = arguments.number(2);
   if (arguments.has(5)) view.target = arguments.point(3);
   session.view_.view = limited(view);
-  session.view_.throughCamera = false;
   return {};
 }
 
 Result SessionActions::setTurn(Session& session, const Arguments& arguments) {
   ViewState& state = session.view_;
   state.view = turnedTo(state.view, state.pivot, arguments.number(0), state.view.tilt);
-  state.throughCamera = false;
   return {};
 }
 
 Result SessionActions::setTilt(Session& session, const Arguments& arguments) {
   ViewState& state = session.view_;
   state.view = turnedTo(state.view, state.pivot, state.view.turn, arguments.number(0));
-  state.throughCamera = false;
   return {};
 }
 
@@ -90,7 +96,6 @@ Result SessionActions::setSize(Session& session, const Arguments& arguments) {
   EditorView view = session.view_.view;
   view.size = arguments.number(0);
   session.view_.view = limited(view);
-  session.view_.throughCamera = false;
   return {};
 }
 
@@ -99,7 +104,6 @@ Result SessionActions::frameSelection(Session& session, const Arguments&) {
   for (const std::size_t k : session.selected().keys()) box.add(session.flight().keys[k].position);
   session.view_.view = framed(session.view_.view, box.low, box.high);
   session.view_.pivot = session.view_.view.target;
-  session.view_.throughCamera = false;
   return {};
 }
 
@@ -108,12 +112,12 @@ Result SessionActions::frameAll(Session& session, const Arguments&) {
   view.target = Vec3(0.0);
   view.size = 1.0;
   session.view_.pivot = Vec3(0.0);
-  session.view_.throughCamera = false;
   return {};
 }
 
 Result SessionActions::swapViews(Session& session, const Arguments&) {
   session.view_.swapped = !session.view_.swapped;
+  session.view_.throughCamera = false;
   return {};
 }
 

@@ -86,12 +86,4 @@ EditorView framed(const EditorView& view, const Vec3& low, const Vec3& high) {
   return limited(result);
 }
 
-EditorView lookingAlong(const EditorView& view, const Vec3& direction) {
-  EditorView result = view;
-  const double level = std::hypot(direction.x, direction.z);
-  if (level > 1e-9) result.turn = std::atan2(-direction.x, -direction.z) / kDegree;
-  result.tilt = std::atan2(-direction.y, level) / kDegree;
-  return limited(result);
-}
-
 }  // namespace vides

@@ -17,8 +17,8 @@ inline constexpr double kMaxViewSize = 20.0;
 struct ViewState {
   EditorView view;
   Vec3 pivot{0.0};             // what turning and tilting goes about: the framed selection
-  bool throughCamera = false;  // the viewport shows what the camera sees
   bool swapped = false;        // camera view and viewport have changed places
+  bool throughCamera = false;  // … until a named view is asked for; only with `swapped`
   bool operator==(const ViewState&) const = default;
 };
 
@@ -46,7 +46,5 @@ EditorView sizedTowards(const EditorView& view, const PixelRectangle& pixels, co
 // A sphere around these points fills the view; the turn and tilt stay. A single point is shown at
 // twice the size, at least.
 EditorView framed(const EditorView& view, const Vec3& low, const Vec3& high);
-// The view whose viewer looks along the direction.
-EditorView lookingAlong(const EditorView& view, const Vec3& direction);
 
 }  // namespace vides

@@ -14,6 +14,7 @@ namespace {
 bool ticked(std::string_view id, const Session& session, const Layout& layout) {
   const EditorView& view = session.view().view;
   if (id == "menu/view/perspective") return view.type == ProjectionType::Perspective;
+  if (id == "menu/view/camera") return session.view().throughCamera;
   if (id == "menu/view/swap") return session.view().swapped;
   if (id == "menu/view/left_column") return layout.leftShown;
   if (id == "menu/view/right_column") return layout.rightShown;

@@ -199,7 +199,8 @@ void Ui::note(std::string_view id, std::string_view label, WidgetKind kind, bool
               std::string_view value) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 size = ImGui::GetItemRectSize();
-  registerWidget(id, label, kind, {low.x, low.y, size.x, size.y}, enabled, value);
+  registerWidget(id, label, kind, {low.x, low.y, size.x, size.y}, enabled, value, tip(id));
+  tooltip(id, {ImGui::IsItemHovered(), false, false});
 }
 
 void Ui::menu(std::string_view id, const Rect& rect, std::string_view label, bool enabled,

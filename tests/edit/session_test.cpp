@@ -275,14 +275,50 @@ TEST(Session, ViewCommandsAreNoSteps) {
   EXPECT_EQ(session.view().view.target, Vec3(0.1, 0.2, 0.3));
   run(session, "perspective on");
   EXPECT_EQ(session.view().view.type, ProjectionType::Perspective);
-  run(session, "view-camera");
-  EXPECT_TRUE(session.view().throughCamera);
   run(session, "frame-all");
-  EXPECT_FALSE(session.view().throughCamera);
   run(session, "swap-views");
   EXPECT_TRUE(session.view().swapped);
   EXPECT_FALSE(session.undoName());
   EXPECT_FALSE(session.modified());
+}
+
+TEST(Session, ThroughTheCameraUntilANamedView) {
+  Session session;
+  const EditorView before = session.view().view;
+  run(session, "view-camera");
+  EXPECT_TRUE(session.view().swapped);
+  EXPECT_EQ(session.view().view, before);  // the viewport looks as it did, at the small place
+  run(session, "view-camera");
+  EXPECT_FALSE(session.view().swapped);
+  // Asked for, not switched.
+  run(session, "view camera");
+  run(session, "view camera");
+  EXPECT_TRUE(session.view().swapped);
+  // What turns, sizes and frames the small viewport leaves it there.
+  for (const char* line : {"perspective on", "set-turn 20", "set-tilt 20", "set-size 2",
+                           "frame-all", "frame-selection", "set-view 10 20 1"}) {
+    run(session, line);
+    EXPECT_TRUE(session.view().swapped) << line;
+  }
+  for (const char* line : {"view front", "view side", "view top", "view iso", "view-opposite"}) {
+    run(session, "view camera");
+    run(session, line);
+    EXPECT_FALSE(session.view().swapped) << line;
+  }
+  // Who has swapped the places for good keeps that, until the camera's key is pressed.
+  run(session, "swap-views");
+  run(session, "view front");
+  run(session, "view camera");
+  run(session, "view side");
+  EXPECT_TRUE(session.view().swapped);
+  run(session, "view-camera");
+  EXPECT_FALSE(session.view().swapped);
+  run(session, "view-camera");
+  run(session, "swap-views");
+  EXPECT_FALSE(session.view().swapped);
+  run(session, "swap-views");
+  run(session, "view front");
+  EXPECT_TRUE(session.view().swapped);
 }
 
 TEST(Session, EscapeClosesOneThingAtATime) {

@@ -97,11 +97,5 @@ TEST(ViewState, FramedPointsLieInside) {
   EXPECT_EQ(framed({}, low, low).target, low);
 }
 
-TEST(ViewState, LookingAlongADirection) {
-  const Vec3 direction = glm::normalize(Vec3(0.3, -0.5, 0.7));
-  const Vec3 found = viewProjection(lookingAlong({}, direction), kPixels).viewingDirection();
-  EXPECT_NEAR(glm::length(found - direction), 0.0, 1e-12);
-}
-
 }  // namespace
 }  // namespace vides
