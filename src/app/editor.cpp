@@ -212,10 +212,14 @@ bool Editor::Parts::pass(const FrameInput& given) {
   graphs.follow(session.evaluation());
   Actions actions;
   Ui ui(uiSetting());
+  overViewport = overCamera = false;
   window(ui, actions);
   // A field whose panel is gone is not being typed into.
   if (!memory.editing.empty() && registry.find(memory.editing) == nullptr) memory.editing.clear();
   ImGui::Render();
+  // The picture may have changed under a pointer that rests, or the pointer come into it.
+  const bool hovers =
+      tools.hover(viewportPlace(), overViewport ? std::optional(pointerAt) : std::nullopt);
   pointer = pointerShape(ImGui::GetMouseCursor());
   const EditorView view = session.view().view;
   const bool changed = !actions.steps.empty() || actions.noNumber || actions.layout ||
@@ -228,7 +232,7 @@ bool Editor::Parts::pass(const FrameInput& given) {
     session.setView(state);
     glide.reset();
   }
-  return changed;
+  return changed || hovers;
 }
 
 FrameOutcome Editor::frame(const FrameInput& given) {

@@ -139,7 +139,10 @@ void Editor::Parts::pointerSigns(Ui& ui) {
 
 void Editor::Parts::pointerNote(Ui& ui, const std::string& told, const Vec2& at, bool refusal) {
   const float width = ui.textWidth(told) + ui.px(16);
-  const float room = ImGui::GetIO().DisplaySize.x - width - ui.px(4);
+  // In the viewport where it has room there: the columns stay readable.
+  const Rect seen = pictures->flightRect();
+  const float end = seen.width > width + ui.px(8) ? seen.right() : ImGui::GetIO().DisplaySize.x;
+  const float room = end - width - ui.px(4);
   const Rect box{
       std::round(std::clamp(static_cast<float>(at.x) + ui.px(16), 0.0f, std::max(0.0f, room))),
       std::round(static_cast<float>(at.y) + ui.px(14)), width, ui.px(24)};

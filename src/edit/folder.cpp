@@ -2,6 +2,8 @@
 // Reading folders for the file chooser.
 #include "edit/folder.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <system_error>
@@ -31,8 +33,30 @@ fs::path ownFolder(const char* variable, const char* inHome) {
 
 }  // namespace
 
-tl::expected<std::vector<FolderEntry>, std::string> readFolder(
-    const fs::path& folder, std::span<const std::string_view> endings) {
+bool fitsFilter(std::string_view name, std::string_view filter) {
+  constexpr std::string_view kBetween = " \t,;";
+  const std::string low = lowered(name);
+  bool any = false;
+  for (std::size_t from = 0; (from = filter.find_first_not_of(kBetween, from)) != filter.npos;) {
+    const std::size_t to = std::min(filter.find_first_of(kBetween, from), filter.size());
+    std::string pattern = lowered(filter.substr(from, to - from));
+    if (pattern.find_first_of("*?") == std::string::npos) pattern = "*" + pattern + "*";
+    // A bracket and a backslash stand for themselves.
+    std::string plain;
+    for (const char letter : pattern) {
+      if (letter == '[' || letter == '\\') plain += '\\';
+      plain += letter;
+    }
+    if (fnmatch(plain.c_str(), low.c_str(), 0) == 0) return true;
+    any = true;
+    from = to;
+  }
+  return !any;
+}
+
+tl::expected<std::vector<FolderEntry>, std::string> readFolder(const fs::path& folder,
+                                                               std::string_view filter) {
+  const bool hidden = filter.starts_with('.');
   std::error_code error;
   std::vector<FolderEntry> entries;
   fs::directory_iterator each(folder, error);
@@ -40,15 +64,12 @@ tl::expected<std::vector<FolderEntry>, std::string> readFolder(
   for (; !error && each != fs::directory_iterator(); each.increment(error)) {
     std::error_code unknown;
     const std::string name = each->path().filename().string();
-    if (name.starts_with('.')) continue;
+    if (name.starts_with('.') && !hidden) continue;
     if (each->is_directory(unknown)) {
       entries.push_back({name, true});
       continue;
     }
-    const std::string low = lowered(name);
-    const bool wanted = std::any_of(endings.begin(), endings.end(),
-                                    [&](std::string_view ending) { return low.ends_with(ending); });
-    if (wanted) entries.push_back({name, false});
+    if (fitsFilter(name, filter)) entries.push_back({name, false});
   }
   if (error) return tl::unexpected(error.message());
   std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -17,10 +16,15 @@ struct FolderEntry {
   bool operator==(const FolderEntry&) const = default;
 };
 
-// Folders first, then the files whose names end in one of the endings (in any case); both by name,
-// without regard to case. What begins with a dot is left out. Error: the system's words.
-tl::expected<std::vector<FolderEntry>, std::string> readFolder(
-    const std::filesystem::path& folder, std::span<const std::string_view> endings);
+// Whether a file's name fits a filter: patterns with * and ?, blanks, commas or semicolons between
+// them, one of which has to fit, in any case of letters (of ASCII). A word without * and ? fits
+// where it occurs; no pattern at all fits every name.
+bool fitsFilter(std::string_view name, std::string_view filter);
+
+// Folders first, then the files that fit the filter; both by name, without regard to case. What
+// begins with a dot is left out, unless the filter begins with one. Error: the system's words.
+tl::expected<std::vector<FolderEntry>, std::string> readFolder(const std::filesystem::path& folder,
+                                                               std::string_view filter);
 
 // A typed name in a folder: absolute paths and "~/" stand for themselves; without "." and "..".
 std::filesystem::path typedPath(const std::filesystem::path& folder, std::string_view typed);

@@ -77,10 +77,17 @@ void ViewportTools::press(const ViewportPlace& place, PointerButton button, cons
   }
 }
 
+bool ViewportTools::hover(const ViewportPlace& place, const std::optional<Vec2>& pixel) {
+  if (press_) return false;
+  const auto before = hovered_;
+  hovered_ = pixel && !navigateOnly_ ? place.pick(*pixel).handle : std::nullopt;
+  return hovered_ != before;
+}
+
 void ViewportTools::move(const ViewportPlace& place, const Vec2& pixel,
                          const Modifiers& modifiers) {
   if (!press_) {
-    hovered_ = navigateOnly_ ? std::nullopt : place.pick(pixel).handle;
+    hover(place, pixel);
     return;
   }
   press_->pointer = pixel;
@@ -106,7 +113,7 @@ void ViewportTools::release(const ViewportPlace& place, PointerButton button, co
     selectBox(place);
   }
   press_.reset();
-  hovered_ = navigateOnly_ ? std::nullopt : place.pick(pixel).handle;
+  hover(place, pixel);
 }
 
 void ViewportTools::wheel(const ViewportPlace& place, const Vec2& pixel, double steps) {

@@ -46,6 +46,9 @@ class ViewportTools {
   void press(const ViewportPlace& place, PointerButton button, const Vec2& pixel,
              const Modifiers& modifiers);
   void move(const ViewportPlace& place, const Vec2& pixel, const Modifiers& modifiers);
+  // What lies under the pointer in the picture just drawn; no pixel: the pointer is elsewhere.
+  // True if that is another handle than before. Nothing while a button is down.
+  bool hover(const ViewportPlace& place, const std::optional<Vec2>& pixel);
   void release(const ViewportPlace& place, PointerButton button, const Vec2& pixel,
                const Modifiers& modifiers);
   void wheel(const ViewportPlace& place, const Vec2& pixel, double steps);

@@ -68,8 +68,18 @@ void rename(ChooserMemory& memory, std::string name) {
   memory.rewritten = true;
 }
 
+// "*.txt *.csv": what can be chosen.
+std::string filterOf(const Kind& kind) {
+  std::string filter;
+  for (const std::string_view ending : kind.endings) {
+    if (!filter.empty()) filter += ' ';
+    filter.append("*").append(ending);
+  }
+  return filter;
+}
+
 void enter(ChooserMemory& memory, const fs::path& folder) {
-  const auto read = readFolder(folder, kindOf(memory).endings);
+  const auto read = readFolder(folder, memory.filter);
   if (!read) {
     memory.trouble = folder.string() + ": " + read.error();
     return;
@@ -91,6 +101,7 @@ void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::str
   if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
   memory = ChooserMemory();
   memory.window = window;
+  memory.filter = filterOf(kindOf(memory));
   memory.before = session.output();
   if (*kindOf(memory).name != '\0') {
     rename(memory, kindOf(memory).name);
@@ -171,7 +182,7 @@ void select(ChooserMemory& memory, int index) {
 
 void keys(Ui& ui, ChooserMemory& memory, Actions& actions) {
   if (pressed(ImGuiKey_Escape)) return giveUp(memory, actions);
-  if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) return accept(ui, memory, actions);
+  if (ui.enterPressed()) return accept(ui, memory, actions);
   const int last = static_cast<int>(memory.entries.size()) - 1;
   if (memory.mode != Mode::kChoose || last < 0) return;
   const int step =
@@ -256,6 +267,29 @@ void list(Ui& ui, const Rect& box, ChooserMemory& memory, Actions& actions) {
   }
 }
 
+// Where one is, which can be typed, and which files of it the list shows.
+void folderAndFilter(Ui& ui, const Rect& row, ChooserMemory& memory) {
+  const std::string folder = ui.words("chooser/folder"), filter = ui.words("chooser/filter");
+  const float gap = ui.px(8), filterWidth = std::round(row.width * 0.24f);
+  const float folderLabel = std::ceil(ui.textWidth(folder) + gap);
+  const float filterLabel = std::ceil(ui.textWidth(filter) + gap);
+  const Rect patterns{row.right() - filterWidth, row.y, filterWidth, row.height};
+  const Rect path{row.x + folderLabel, row.y,
+                  patterns.x - filterLabel - 2 * gap - row.x - folderLabel, row.height};
+  ui.text({row.x, row.y, folderLabel, row.height}, folder, {.colour = ColourRole::kTextSecondary});
+  ui.text({patterns.x - filterLabel, row.y, filterLabel, row.height}, filter,
+          {.colour = ColourRole::kTextSecondary});
+  if (const auto typed = ui.textField("chooser/folder", path, memory.folder.string(), true)) {
+    memory.mode = Mode::kChoose;
+    enter(memory, typedPath(memory.folder, *typed));
+  }
+  if (const auto typed = ui.textField("chooser/filter", patterns, memory.filter)) {
+    memory.mode = Mode::kChoose;
+    memory.filter = *typed;
+    enter(memory, memory.folder);
+  }
+}
+
 void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
   const bool folder = memory.mode == Mode::kNameFolder;
   const std::string label = ui.words(folder ? "chooser/folder_name" : "chooser/name");
@@ -314,7 +348,7 @@ void lastRow(Ui& ui, const Rect& row, const Session& session, ChooserMemory& mem
   const bool named = memory.selected >= 0 || !memory.name.empty();
   if (ui.button("chooser/cancel", cancel, ButtonStyle{})) {
     giveUp(memory, actions);
-  } else if (ui.button("chooser/ok", ok, ui.words(verb), {.enabled = named})) {
+  } else if (ui.button("chooser/ok", ok, ui.words(verb), {.enabled = named, .enter = named})) {
     accept(ui, memory, actions);
   }
 }
@@ -333,7 +367,8 @@ void chooser(Ui& ui, const Session& session, ChooserMemory& memory, Actions& act
   if (memory.window != *top) begin(ui, session, memory, *top);
   // Escape that closed a question, and Enter that opened the chooser, are done with.
   const bool asked = session.question().has_value();
-  if (!asked && !memory.questionWas) keys(ui, memory, actions);
+  const bool typing = !ui.memory().editing.empty();  // and so are those of a field
+  if (!asked && !memory.questionWas && !typing) keys(ui, memory, actions);
   memory.questionWas = asked;
   const WindowFrame frame{"###chooser", 680.0f, 520.0f, ui.words(kindOf(memory).heading),
                           !asked,       true};
@@ -341,14 +376,12 @@ void chooser(Ui& ui, const Session& session, ChooserMemory& memory, Actions& act
     Stack rows(ui, room.x, room.y, room.width);
     places(ui, rows.row(kRow), session, memory);
     rows.gap(4);
-    const Rect path = rows.row(kRow);
-    ui.text(path, memory.folder.string(),
-            {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+    folderAndFilter(ui, rows.row(kRow), memory);
     rows.gap(4);
     const float below = ui.px(2 * kRow + 16);
     list(ui, {room.x, rows.y(), room.width, room.bottom() - below - rows.y()}, memory, actions);
-    nameField(ui, {room.x, room.bottom() - below + ui.px(8), room.width, ui.px(kRow)}, !asked,
-              memory);
+    nameField(ui, {room.x, room.bottom() - below + ui.px(8), room.width, ui.px(kRow)},
+              !asked && ui.memory().editing.empty(), memory);
     lastRow(ui, {room.x, room.bottom() - ui.px(kRow), room.width, ui.px(kRow)}, session, memory,
             actions);
   });

@@ -19,6 +19,7 @@ struct ChooserMemory {
   enum class Mode { kChoose, kNameFolder, kOverwrite };
   std::string window;  // of the session; empty where none is open
   std::filesystem::path folder;
+  std::string filter;  // patterns that the files in the list fit
   std::vector<FolderEntry> entries;
   std::string name;         // in the name field
   std::string nameBefore;   // while a new folder is being named

@@ -43,6 +43,7 @@ struct ButtonStyle {
   bool on = false;      // a toggle's state
   bool toggle = false;  // tells lists of widgets that it is one
   bool quiet = false;   // no ground until the pointer is over it
+  bool enter = false;   // the one that Enter stands for: it has a rim
   Align align = Align::kCentre;
   std::string tooltip = {};  // in words; empty: that of the identifier, if it has one
   std::string command = {};  // its line: its keys are told too, and its title where nothing is said
@@ -188,6 +189,9 @@ class Ui {
   };
   AreaState area(std::string_view id, const Rect& rect, std::string_view value = {},
                  bool tips = true);
+
+  // Enter, of either kind, went down since the last display frame.
+  bool enterPressed() const;
 
   // Tells the registry of a text that takes effect while it is typed.
   void entry(std::string_view id, const Rect& rect, std::string_view label, std::string_view value);

@@ -105,7 +105,11 @@ void Ui::ground(const Rect& rect, const Press& press, const ButtonStyle& style) 
   } else if (!style.quiet) {
     fill(rect, ColourRole::kControl, 3.0f);
   }
-  if (!style.quiet) edge(rect);
+  if (style.enter) {
+    outline(rect, ColourRole::kTextSecondary, 3.0f);
+  } else if (!style.quiet) {
+    edge(rect);
+  }
 }
 
 bool Ui::button(std::string_view id, const Rect& rect, std::string_view label,
@@ -125,6 +129,11 @@ bool Ui::button(std::string_view id, const Rect& rect, std::string_view label,
 
 bool Ui::button(std::string_view id, const Rect& rect, const ButtonStyle& style) {
   return button(id, rect, words(id), style);
+}
+
+bool Ui::enterPressed() const {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
 }
 
 bool Ui::iconButton(std::string_view id, const Rect& rect, Icon which, const ButtonStyle& style) {
@@ -285,7 +294,7 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
 std::optional<std::string> Ui::textField(std::string_view id, const Rect& rect,
                                          std::string_view value, bool path) {
   const bool hovered = over(rect);
-  registerWidget(id, words(id), WidgetKind::kField, rect, true, value);
+  registerWidget(id, words(id), WidgetKind::kField, rect, true, value, tip(id));
   if (setting_.memory.editing != id && hovered && ImGui::IsMouseClicked(0)) {
     startTyping(id, std::string(value));
   }

@@ -41,6 +41,21 @@ void insertKeys(Ui& ui, const Session& session, Actions& actions) {
   });
 }
 
+// What Enter answers: what loses nothing.
+std::string_view answerOfEnter(const Question& asked) {
+  switch (asked.kind) {
+    case Question::Kind::kUnsaved:
+    case Question::Kind::kOutsideCube:
+    case Question::Kind::kRecover:
+      return asked.choices.front();
+    case Question::Kind::kChangedOnDisk:
+    case Question::Kind::kFramesExist:
+    case Question::Kind::kWritingFrames:
+      return "cancel";
+  }
+  return "cancel";
+}
+
 void question(Ui& ui, const Session& session, Actions& actions) {
   const Question& asked = *session.question();
   const std::string words = ui.tell(asked.text);
@@ -51,8 +66,11 @@ void question(Ui& ui, const Session& session, Actions& actions) {
                 const Rect row{room.x, room.bottom() - ui.px(26), room.width, ui.px(26)};
                 const std::vector<Rect> places = split(ui, row, count, 8.0f);
                 for (std::size_t i = 0; i < asked.choices.size(); ++i) {
-                  if (ui.button("question/" + asked.choices[i], places[i],
-                                ui.words("answer." + asked.choices[i]), {})) {
+                  const bool enter = asked.choices[i] == answerOfEnter(asked);
+                  const bool clicked =
+                      ui.button("question/" + asked.choices[i], places[i],
+                                ui.words("answer." + asked.choices[i]), {.enter = enter});
+                  if (clicked || (enter && ui.enterPressed())) {
                     actions.run(Command("answer", asked.choices[i]));
                   }
                 }

@@ -91,6 +91,33 @@ TEST(Editor, AFreeViewInTheViewportsPlaceLooksAsItDid) {
   EXPECT_TRUE(test::equalsBaseline(one.player->picture().value(), "window_free_view_960x600"));
 }
 
+// The handle under the pointer is the one of this picture: it comes into the viewport in one step,
+// the picture changes under it while it rests, and it leaves.
+TEST(Editor, TheHandleUnderThePointerIsShown) {
+  Stage one = stage({1280, 800}, 1.0);
+  openPyramid(*one.player);
+  Editor& editor = one.player->editor();
+  const auto picture = [&] { return one.player->picture().value(); };
+  const auto drawnAnew = [&](const char* view) {
+    EXPECT_TRUE(one.player->perform(Command("view", view)));
+    one.player->frame();
+    return picture();
+  };
+  const Rect seen = editor.viewport();
+  const Picture iso = drawnAnew("iso"), front = drawnAnew("front");
+  const PixelRectangle pixels{static_cast<double>(seen.x), static_cast<double>(seen.y),
+                              static_cast<double>(seen.width), static_cast<double>(seen.height)};
+  const Vec2 key = *viewProjection(editor.session().view().view, pixels)
+                        .project(editor.session().flight().keys[3].position);
+  one.player->move(key.x, key.y);
+  one.player->frame();
+  EXPECT_NE(picture(), front);
+  EXPECT_EQ(drawnAnew("iso"), iso);  // there is nothing under it in this view
+  EXPECT_NE(drawnAnew("front"), front);
+  one.player->move(4.0, 230.0);  // between two panels
+  EXPECT_EQ(picture(), front);
+}
+
 // A folded column takes the small picture away: nothing is there to be hit, or drawn.
 TEST(Editor, WithoutItsColumnTheSmallPictureIsNowhere) {
   Stage one = stage({960, 600}, 1.0);
