@@ -30,6 +30,7 @@ CameraInput cameraInput(const Session& session, const SharedScene& scene, const 
   input.scene = session.display().shown.scene ? scene : nullptr;
   input.rectangle = pixels(rect);
   input.contentScale = static_cast<double>(scale);
+  input.lines = session.display().sizes.lines;
   input.thirds = session.display().thirds;
   input.safeFrames = session.display().safeFrames;
   input.theme = theme;
@@ -51,6 +52,8 @@ ViewportInput viewportInput(const Ui& ui, const Session& session, const SharedSc
   input.shown = session.display().shown;
   // Who shapes the curve sees what the numbers do.
   input.shown.tangents = input.shown.tangents || session.windowOpen("shape");
+  input.sizes = session.display().sizes;
+  input.gridStep = session.display().gridStep;
   input.theme = theme;
   return input;
 }

@@ -213,6 +213,12 @@ void addCameraCommands(Table& t) {
 
 std::vector<std::string> switchChoices() { return {switchNames().begin(), switchNames().end()}; }
 
+std::vector<std::string> sizeChoices() {
+  std::vector<std::string> names;
+  for (const ElementSize& size : kElementSizes) names.emplace_back(size.name);
+  return names;
+}
+
 std::vector<std::string> elementChoices() {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < kColourRoles; ++i) {
@@ -251,6 +257,10 @@ void addDisplayCommands(Table& t) {
   addAct(t, "reset-colour", {optional(choice("ELEMENT", elementChoices()))}, Acts::resetColour);
   addAct(t, "theme", {choice("THEME", {"dark", "light", "high_contrast"})}, Acts::setTheme);
   addAct(t, "content-scale", {number("SCALE")}, Acts::contentScale);
+  addAct(t, "element-size", {choice("ELEMENT", sizeChoices()), number("PIXELS")},
+         Acts::elementSize);
+  addAct(t, "reset-sizes", {}, Acts::resetSizes);
+  addAct(t, "grid-step", {number("STEP")}, Acts::gridStep);
   addAct(t, "ghost-every", {index("FRAMES")}, Acts::ghostEvery);
   addAct(t, "units", {choice("UNITS", {"cube", "scene"})}, Acts::units);
   addAct(t, "language", {choice("LANGUAGE", {"en", "de"})}, Acts::language);

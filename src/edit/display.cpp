@@ -12,6 +12,7 @@ struct Switch {
 
 constexpr Switch kSwitches[] = {
     {"cube", [](Display& d) { return &d.shown.cube; }},
+    {"grid", [](Display& d) { return &d.shown.grid; }},
     {"scene", [](Display& d) { return &d.shown.scene; }},
     {"scene-points", [](Display& d) { return &d.shown.sceneAsPoints; }},
     {"curve", [](Display& d) { return &d.shown.curve; }},

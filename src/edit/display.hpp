@@ -20,10 +20,27 @@ inline constexpr Range kContentScale{0.5, 4.0};
 // A ghost camera every so many frames; whole.
 inline constexpr Range kGhostEvery{1, 100000};
 
+// Of the grid and of snapping, in cube units.
+inline constexpr Range kGridSteps{0.001, 0.5};
+
+// An element whose size can be chosen, by its name in commands and setups.
+struct ElementSize {
+  std::string_view name;
+  double ElementSizes::*size;
+  Range range;   // pixels at content scale 1
+  int decimals;  // that a slider gives
+};
+inline constexpr ElementSize kElementSizes[] = {{"curve", &ElementSizes::curve, {1.0, 6.0}, 1},
+                                                {"lines", &ElementSizes::lines, {0.6, 4.0}, 1},
+                                                {"handles", &ElementSizes::handles, {5.0, 16.0}, 1},
+                                                {"ghosts", &ElementSizes::ghosts, {8.0, 48.0}, 0}};
+
 enum class Units { kCube, kScene };
 
 struct Display {
   ShownElements shown;
+  ElementSizes sizes;
+  double gridStep = kGridStep;
   bool thirds = false;
   bool safeFrames = false;
   bool sliders = true;  // the three around the viewport

@@ -70,8 +70,8 @@ tl::expected<Vec3, DragRefusal> PlaneDragTool::free(const Vec2& pointer) const {
 Vec3 PlaneDragTool::snapped(Vec3 point) const {
   if (!snap_) return point;
   for (int i = 0; i < 3; ++i) {
-    // Divided by 20 rather than multiplied by 0.05: that gives the decimals that are typed.
-    if (moves(i)) point[i] = std::round(point[i] / kGrid) / (1.0 / kGrid);
+    // A whole number of millionths, divided: that gives the decimals that are typed.
+    if (moves(i)) point[i] = std::round(std::round(point[i] / *snap_) * *snap_ * 1e6) / 1e6;
   }
   return point;
 }

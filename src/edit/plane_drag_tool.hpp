@@ -17,7 +17,6 @@ namespace vides {
 class PlaneDragTool {
  public:
   enum class What { kKey, kAim };
-  static constexpr double kGrid = 0.05;
 
   // `start` is the state at the press, whose current key (or current orientation's aim) is dragged;
   // with several keys selected they move along. `pointer` is where the point was taken hold of: a
@@ -29,7 +28,8 @@ class PlaneDragTool {
   // X, Y, Z during a drag: along that axis, then with that coordinate kept, then the button's
   // plane.
   void cycle(Axis axis);
-  void setSnap(bool on) { snap_ = on; }
+  // To multiples of `step`, a multiple of 1e-6.
+  void setSnap(std::optional<double> step) { snap_ = step; }
 
   // The flight with the point under the pointer.
   tl::expected<Flight, DragRefusal> at(const Vec2& pointer) const;
@@ -54,7 +54,7 @@ class PlaneDragTool {
   Axis button_;
   Constraint constraint_ = Constraint::kButton;
   Axis axis_ = Axis::X;
-  bool snap_ = false;
+  std::optional<double> snap_;
 };
 
 // The text that tells why nothing moves.

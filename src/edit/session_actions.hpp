@@ -83,6 +83,9 @@ struct SessionActions {
   static Result resetColour(Session& session, const Arguments& arguments);
   static Result setTheme(Session& session, const Arguments& arguments);
   static Result contentScale(Session& session, const Arguments& arguments);
+  static Result elementSize(Session& session, const Arguments& arguments);
+  static Result resetSizes(Session& session, const Arguments& arguments);
+  static Result gridStep(Session& session, const Arguments& arguments);
   static Result ghostEvery(Session& session, const Arguments& arguments);
   static Result units(Session& session, const Arguments& arguments);
   static Result language(Session& session, const Arguments& arguments);

@@ -242,6 +242,28 @@ Result SessionActions::ghostEvery(Session& session, const Arguments& arguments) 
   return {};
 }
 
+Result SessionActions::elementSize(Session& session, const Arguments& arguments) {
+  const auto* const size = std::ranges::find(kElementSizes, arguments.text(0), &ElementSize::name);
+  const double pixels = arguments.number(1);
+  if (!size->range.contains(pixels)) {
+    return tl::unexpected(Text("refusal.element-size", {size->range.min, size->range.max, pixels}));
+  }
+  session.display_.sizes.*size->size = pixels;
+  return {};
+}
+
+Result SessionActions::resetSizes(Session& session, const Arguments&) {
+  session.display_.sizes = {};
+  return {};
+}
+
+Result SessionActions::gridStep(Session& session, const Arguments& arguments) {
+  const double step = arguments.number(0);
+  if (!kGridSteps.contains(step)) return tl::unexpected(Text("refusal.grid-step", {step}));
+  session.display_.gridStep = step;
+  return {};
+}
+
 Result SessionActions::units(Session& session, const Arguments& arguments) {
   session.display_.units = arguments.text(0) == "scene" ? Units::kScene : Units::kCube;
   return {};

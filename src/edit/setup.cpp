@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "edit/view_state.hpp"
 #include "flight/validation.hpp"
@@ -48,6 +49,15 @@ void readShown(VidValues& v, Reading& r) {
     bool* const shown = name == kGlide ? nullptr : switchOf(r.setup.display, name);
     if (shown != nullptr) v.boolean(*shown);
     return shown != nullptr;
+  });
+}
+
+void readSizes(VidValues& v, Reading& r) {
+  v.members([&](const std::string& name) {
+    const auto* const size = std::ranges::find(kElementSizes, name, &ElementSize::name);
+    if (size == std::end(kElementSizes)) return false;
+    v.number(size->range, r.setup.display.sizes.*size->size);
+    return true;
   });
 }
 
@@ -103,6 +113,8 @@ constexpr Member<Reading> kMembers[] = {
     {"glide", [](VidValues& v, Reading& r) { v.boolean(r.setup.display.glide); }},
     {"ghost_every",
      [](VidValues& v, Reading& r) { v.integer(kGhostEvery, r.setup.display.shown.ghostEvery); }},
+    {"grid_step", [](VidValues& v, Reading& r) { v.number(kGridSteps, r.setup.display.gridStep); }},
+    {"sizes", readSizes},
     {"shown", readShown},
     {"colours", readColours},
     {"layout",
@@ -237,6 +249,10 @@ std::string writeSetup(const Setup& setup) {
     if (display.contentScale > 0.0) w.number("content_scale", display.contentScale);
     w.boolean(kGlide, display.glide);
     w.number("ghost_every", display.shown.ghostEvery);
+    w.number("grid_step", display.gridStep);
+    w.object("sizes", [&] {
+      for (const ElementSize& size : kElementSizes) w.number(size.name, display.sizes.*size.size);
+    });
     w.object("shown", [&] { writeShown(w, setup); });
     w.object("colours", [&] {
       for (std::size_t i = 0; i < kColourRoles; ++i) {

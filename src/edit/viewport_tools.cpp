@@ -219,7 +219,8 @@ void ViewportTools::continueDrag(const ViewportPlace& place) {
 }
 
 void ViewportTools::movePoint(const ViewportPlace& place) {
-  press_->tool->setSnap(press_->modifiers.shift);
+  press_->tool->setSnap(press_->modifiers.shift ? std::optional(session_.display().gridStep)
+                                                : std::nullopt);
   const auto flight = press_->tool->at(press_->pointer);
   if (!flight) return refuse(place, vides::textOf(flight.error()));
   note_.reset();

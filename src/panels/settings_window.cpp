@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "panels/form.hpp"
+
 namespace vides {
 namespace {
 
@@ -25,10 +27,6 @@ std::vector<ColourRole> elements() {
     if (isElement(static_cast<ColourRole>(i))) roles.push_back(static_cast<ColourRole>(i));
   }
   return roles;
-}
-
-void heading(Ui& ui, Stack& rows, std::string_view key) {
-  ui.text(rows.row(kRow), ui.words(key), {.weight = Weight::kSemibold});
 }
 
 // The elements in two columns, each with its colour; one of them is chosen.
@@ -76,7 +74,6 @@ void colourSliders(Ui& ui, Stack& rows, const Session& session, const SettingsMe
 
 void colours(Ui& ui, Stack& rows, const Session& session, SettingsMemory& memory,
              Actions& actions) {
-  heading(ui, rows, "settings.colours");
   elementList(ui, rows, memory);
   rows.gap(8);
   colourSliders(ui, rows, session, memory, actions);
@@ -94,7 +91,6 @@ void colours(Ui& ui, Stack& rows, const Session& session, SettingsMemory& memory
 }
 
 void shownElements(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
-  heading(ui, rows, "settings.shown");
   Display display = session.display();
   const auto& names = switchNames();
   const std::size_t half = (names.size() + 1) / 2;
@@ -108,18 +104,57 @@ void shownElements(Ui& ui, Stack& rows, const Session& session, Actions& actions
       actions.run(Command("show-element", std::string(names[i]), "toggle"));
     }
   }
-  rows.gap(8);
-  const Rect row = rows.row(kRow);
-  const float field = ui.px(72);
-  ui.text({row.x, row.y, row.width - field - ui.px(8), row.height},
-          ui.words("settings/ghost_every"), {.colour = ColourRole::kTextSecondary});
-  const auto typed =
-      ui.field("settings/ghost_every", {row.right() - field, row.y, field, row.height},
-               display.shown.ghostEvery, {.decimals = 0, .weight = Weight::kSemibold});
-  actions.typed(typed, [](double value) { return Command("ghost-every", value); });
 }
 
-// A label and toggles of which one is on.
+// A label and a number that can be typed.
+Ui::Typed numberRow(Ui& ui, Stack& rows, std::string_view id, double value, int decimals) {
+  const Rect row = rows.row(kRow);
+  const float field = ui.px(72);
+  ui.text({row.x, row.y, row.width - field - ui.px(8), row.height}, ui.words(id),
+          {.colour = ColourRole::kTextSecondary});
+  return ui.field(id, {row.right() - field, row.y, field, row.height}, value,
+                  {.decimals = decimals, .weight = Weight::kSemibold});
+}
+
+void sizeSlider(Ui& ui, const Rect& row, const Session& session, const ElementSize& size,
+                Actions& actions) {
+  const std::string id = "settings/size_" + std::string(size.name);
+  const double pixels = session.display().sizes.*size.size;
+  const float label = ui.px(108);
+  const float number = ui.px(56);
+  ui.text({row.x, row.y, label, row.height}, ui.words(id), {.colour = ColourRole::kTextSecondary});
+  const auto change =
+      ui.slider(id, {row.x + label, row.y, row.width - label - number, row.height}, pixels,
+                {.least = size.range.min, .most = size.range.max, .decimals = size.decimals});
+  ui.text({row.right() - number, row.y, number, row.height},
+          ui.number(pixels, size.decimals) + " px",
+          {.weight = Weight::kSemibold, .align = Align::kRight});
+  if (!change) return;
+  const double unit = std::pow(10.0, size.decimals);
+  const double rounded = std::round(change->value * unit) / unit;
+  actions.run(Command("element-size", std::string(size.name), rounded));
+}
+
+void sizes(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
+  const Display& display = session.display();
+  for (const ElementSize& size : kElementSizes) {
+    sizeSlider(ui, rows.row(kRow), session, size, actions);
+  }
+  rows.gap(8);
+  if (ui.button("settings/built_in_sizes", rows.row(kButton),
+                {.enabled = display.sizes != ElementSizes()})) {
+    actions.run(Command("reset-sizes"));
+  }
+  rows.gap(16);
+  actions.typed(numberRow(ui, rows, "settings/ghost_every", display.shown.ghostEvery, 0),
+                [](double value) { return Command("ghost-every", value); });
+  rows.gap(4);
+  actions.typed(
+      numberRow(ui, rows, "settings/grid_step", display.gridStep, neededDecimals(display.gridStep)),
+      [](double value) { return Command("grid-step", value); });
+}
+
+// A label, and under it toggles of which one is on.
 struct Segment {
   std::string id;
   std::string label;
@@ -128,18 +163,14 @@ struct Segment {
 };
 void segments(Ui& ui, Stack& rows, std::string_view labelKey, const std::vector<Segment>& all,
               Actions& actions) {
-  const Rect row = rows.row(kButton);
-  const float label = ui.px(144);
-  ui.text({row.x, row.y, label - ui.px(8), row.height}, ui.words(labelKey),
-          {.colour = ColourRole::kTextSecondary});
-  const std::vector<Rect> boxes = split(ui, {row.x + label, row.y, row.width - label, row.height},
-                                        static_cast<int>(all.size()));
+  ui.text(rows.row(kRow), ui.words(labelKey), {.colour = ColourRole::kTextSecondary});
+  const std::vector<Rect> boxes = split(ui, rows.row(kButton), static_cast<int>(all.size()));
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (ui.button(all[i].id, boxes[i], all[i].label, {.on = all[i].on, .toggle = true})) {
       if (auto command = parseCommand(all[i].command)) actions.run(std::move(*command));
     }
   }
-  rows.gap(4);
+  rows.gap(8);
 }
 
 Segment named(const Ui& ui, std::string_view id, std::string command, bool on) {
@@ -174,6 +205,18 @@ void choices(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
   segments(ui, rows, "settings.scale", scales, actions);
 }
 
+void pages(Ui& ui, const Rect& row, SettingsMemory& memory) {
+  constexpr const char* kIds[] = {"settings/page_colours", "settings/page_shown",
+                                  "settings/page_sizes", "settings/page_general"};
+  const std::vector<Rect> boxes = split(ui, row, 4);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const auto page = static_cast<SettingsPage>(i);
+    if (ui.button(kIds[i], boxes[i], {.on = memory.page == page, .toggle = true})) {
+      memory.page = page;
+    }
+  }
+}
+
 void lastRow(Ui& ui, const Rect& row, Actions& actions) {
   const std::vector<Rect> boxes = split(ui, row, 3, 8.0f);
   if (ui.button("settings/reset", boxes[0])) actions.run(Command("reset-setup"));
@@ -184,17 +227,27 @@ void lastRow(Ui& ui, const Rect& row, Actions& actions) {
 }  // namespace
 
 void settingsWindow(Ui& ui, const Session& session, SettingsMemory& memory, Actions& actions) {
-  // To the left, so that changes are seen in the viewport.
-  const FloatingFrame frame{"settings", 640.0f,   528.0f, ui.words("settings/heading"),
-                            ui.px(16),  ui.px(36)};
+  // Over the left column, so that changes are seen in the viewport.
+  const FloatingFrame frame{"settings", 360.0f,   416.0f, ui.words("settings/heading"),
+                            ui.px(8),   ui.px(36)};
   const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
-    const std::vector<Rect> columns = split(ui, room, 2, 24.0f);
-    Stack left(ui, columns[0].x, room.y, columns[0].width);
-    colours(ui, left, session, memory, actions);
-    Stack right(ui, columns[1].x, room.y, columns[1].width);
-    shownElements(ui, right, session, actions);
-    Stack below(ui, room.x, std::max(left.y(), right.y()) + ui.px(16), room.width);
-    choices(ui, below, session, actions);
+    Stack rows(ui, room.x, room.y, room.width);
+    pages(ui, rows.row(kButton), memory);
+    rows.gap(12);
+    switch (memory.page) {
+      case SettingsPage::kColours:
+        colours(ui, rows, session, memory, actions);
+        break;
+      case SettingsPage::kShown:
+        shownElements(ui, rows, session, actions);
+        break;
+      case SettingsPage::kSizes:
+        sizes(ui, rows, session, actions);
+        break;
+      case SettingsPage::kGeneral:
+        choices(ui, rows, session, actions);
+        break;
+    }
     lastRow(ui, {room.x, room.bottom() - ui.px(kButton), room.width, ui.px(kButton)}, actions);
   });
   if (!stays) actions.run(Command("close-window", "settings"));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Settings: colours per element, shown elements, theme, language, units, scale; all of it at once.
+// Settings, in pages: colours per element, shown elements, sizes, theme, language, units, scale.
+// What is chosen takes effect at once.
 #pragma once
+
+#include <cstdint>
 
 #include "edit/session.hpp"
 #include "panels/actions.hpp"
@@ -9,9 +12,12 @@
 
 namespace vides {
 
+enum class SettingsPage : std::uint8_t { kColours, kShown, kSizes, kGeneral };
+
 // What stays between display frames.
 struct SettingsMemory {
   WindowPlace place;
+  SettingsPage page = SettingsPage::kColours;
   ColourRole element = ColourRole::kCurve;  // whose colour the sliders show
 };
 

@@ -15,14 +15,15 @@ constexpr int kCirclePoints = 72;
 
 MarkerStyle ring(const ViewportContext& context, ColourRole role, bool hovered) {
   return {MarkerShape::kRing, context.colour(role), context.colour(ColourRole::kHandleFill),
-          context.pixels(kRingRadius + (hovered ? kHoverStep : 0.0)), context.pixels(2.2)};
+          context.handlePixels(kRingRadius + (hovered ? kHoverStep : 0.0)),
+          context.handlePixels(2.2)};
 }
 
 void addLine(const ViewportContext& context, GeometrySlot& slot, const Vec3& from, const Vec3& to,
              ColourRole role) {
   DrawItem item;
   item.geometry = slot.keep(Primitive::kSegments, {geometryPoint(from), geometryPoint(to)});
-  item.style = LineStyle{context.colour(role), context.pixels(2.4)};
+  item.style = LineStyle{context.colour(role), context.handlePixels(2.4)};
   item.lift = 3;
   context.list.items.push_back(item);
 }
@@ -37,7 +38,7 @@ void addRing(const ViewportContext& context, GeometrySlot& slot, const Vec3& at,
 }
 
 void blockRing(const ViewportContext& context, const Vec2& pixel) {
-  const Vec2 half{6.0 * context.scale()};
+  const Vec2 half{6.0 * context.handleScale()};
   context.labels.blockBox(pixel - half, pixel + half, kBlockedByMark);
 }
 
@@ -45,7 +46,7 @@ void addLabel(const ViewportContext& context, const std::string& text, const Vec
               ColourRole role) {
   const Vec2 size{static_cast<double>(text.size()) * context.input.text.letterWidth,
                   context.input.text.lineHeight};
-  const auto pixel = context.labels.place(anchor, 13.0 * context.scale(), size, true);
+  const auto pixel = context.labels.place(anchor, 13.0 * context.handleScale(), size, true);
   if (pixel) context.list.texts.push_back({text, *pixel, context.colour(role), false});
 }
 
@@ -127,7 +128,7 @@ void AimPart::addAim(const ViewportContext& context, const Vec3& key, const Vec3
     item.depth = DrawDepth::kOnTop;
     context.list.items.push_back(item);
   }
-  context.list.handles.push_back({id, mark.pixel, 10.0 * context.scale()});
+  context.list.handles.push_back({id, mark.pixel, 10.0 * context.handleScale()});
   const auto keyPixel = context.view().project(key);
   if (keyPixel) context.labels.blockLine(*keyPixel, mark.pixel, kBlockedByLine);
   blockRing(context, mark.pixel);
@@ -147,7 +148,7 @@ void AimPart::addUp(const ViewportContext& context, const Camera& camera) {
   addLine(context, upLine_, key, tip, ColourRole::kUp);
   addRing(context, upRing_, tip, ring(context, ColourRole::kUp, context.hovered(id)));
   if (!context.sees(*pixel, 0.0)) return;
-  context.list.handles.push_back({id, *pixel, 10.0 * context.scale()});
+  context.list.handles.push_back({id, *pixel, 10.0 * context.handleScale()});
   context.labels.blockLine(*keyPixel, *pixel, kBlockedByLine);
   blockRing(context, *pixel);
   addLabel(context, context.input.text.up, *pixel, ColourRole::kUp);

@@ -77,12 +77,13 @@ const DrawList& CameraScene::build(const CameraInput& input) {
   list.groundTop = list.groundBottom = input.theme[ColourRole::kPicture];
   list.items.clear();
 
+  const auto lineWidth = static_cast<float>(input.lines * input.contentScale);
   const bool noScene = !input.scene || input.scene->empty();
   if (input.surroundings.value_or(noScene)) {
     p.floor.add(list, input.theme, input.contentScale);
-    p.cube.add(list, input.theme, input.contentScale);
+    p.cube.add(list, input.theme, input.contentScale, lineWidth);
   }
-  p.scene.add(list, input.scene, input.space, input.sceneAsPoints, input.theme, input.contentScale);
+  p.scene.add(list, input.scene, input.space, input.sceneAsPoints, input.theme, lineWidth);
 
   std::vector<GeometryPoint> guides;
   if (input.thirds) addThirds(guides, picture);

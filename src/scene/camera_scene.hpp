@@ -22,6 +22,7 @@ struct CameraInput {
   SharedScene scene;  // may be null
   PixelRectangle rectangle;
   double contentScale = 1.0;
+  double lines = 1.2;  // width of cube and scene, at content scale 1
   bool sceneAsPoints = false;
   bool thirds = false;
   bool safeFrames = false;  // action 90 %, title 80 %

@@ -8,7 +8,7 @@
 namespace vides {
 namespace {
 
-constexpr double kGhostPixels = 15.0, kPlayheadPixels = 34.0;
+constexpr double kPlayheadPixels = 34.0;
 
 // A pyramid from the VRP to the picture's corners, whose edges are `size` long: wide for a short
 // focal length, narrow for a long one.
@@ -75,7 +75,8 @@ void CamerasPart::findGhosts(const ViewportContext& context) {
     }
   }
   // About the same size on screen in every view; in steps, so that not each change makes them anew.
-  const double wanted = kGhostPixels * context.scale() / context.view().pixelsPerUnit();
+  const double wanted =
+      context.input.sizes.ghosts * context.scale() / context.view().pixelsPerUnit();
   const double size = std::exp2(std::round(2.0 * std::log2(wanted)) / 2.0);
   if (!fresh && ghostGeometry_ && size == ghostSize_) return;
   ghostSize_ = size;

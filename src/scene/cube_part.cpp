@@ -59,7 +59,7 @@ std::uint32_t cubeEdgesBehind(const ViewProjection& view) {
   return behind;
 }
 
-void CubePart::add(DrawList& list, const Theme& theme, double contentScale) {
+void CubePart::add(DrawList& list, const Theme& theme, double contentScale, float lineWidth) {
   std::vector<GeometryPoint> front, back;
   const std::uint32_t behind = cubeEdgesBehind(list.view);
   for (std::size_t i = 0; i < kCubeEdges.size(); ++i) {
@@ -74,11 +74,11 @@ void CubePart::add(DrawList& list, const Theme& theme, double contentScale) {
 
   DrawItem item;
   item.geometry = back_.keep(Primitive::kSegments, std::move(back));
-  item.style = LineStyle{dim, 1.2f * scale, 4.5f * scale, 4.5f * scale};
+  item.style = LineStyle{dim, lineWidth, 4.5f * scale, 4.5f * scale};
   item.lift = -2;
   list.items.push_back(item);
   item.geometry = front_.keep(Primitive::kSegments, std::move(front));
-  item.style = LineStyle{colour, 1.2f * scale};
+  item.style = LineStyle{colour, lineWidth};
   item.lift = -1;
   list.items.push_back(item);
 }
@@ -105,7 +105,7 @@ std::vector<ScenePart::Chunk> ScenePart::divide(Primitive primitive, const Eleme
 }
 
 void ScenePart::add(DrawList& list, const SharedScene& scene, const Space& space, bool asPoints,
-                    const Theme& theme, double contentScale) {
+                    const Theme& theme, float lineWidth) {
   if (!scene || scene->empty()) return;
   if (scene != scene_ || !(space == space_) || asPoints != asPoints_) {
     scene_ = scene;
@@ -129,20 +129,22 @@ void ScenePart::add(DrawList& list, const SharedScene& scene, const Space& space
                       });
     }
   }
-  const auto scale = static_cast<float>(contentScale);
   const Colour colour = theme[ColourRole::kScene];
+  // A point is a little wider than a line, so that it is seen where none leads to it.
+  const float pointRadius = lineWidth * (1.3f / 1.2f);
   DrawItem item;
   item.fade = 0.45f;
   const auto addChunks = [&](const std::vector<Chunk>& chunks) {
     for (const Chunk& chunk : chunks) {
-      if (!mayBeSeen(list.view, chunk.low, chunk.high, 4.0 * contentScale)) continue;
+      if (!mayBeSeen(list.view, chunk.low, chunk.high, 2.0 * static_cast<double>(pointRadius)))
+        continue;
       item.geometry = chunk.geometry;
       list.items.push_back(item);
     }
   };
-  item.style = MarkerStyle{MarkerShape::kDisc, colour, kNoColour, 1.3f * scale};
+  item.style = MarkerStyle{MarkerShape::kDisc, colour, kNoColour, pointRadius};
   addChunks(points_);
-  item.style = LineStyle{colour, 1.2f * scale};
+  item.style = LineStyle{colour, lineWidth};
   addChunks(edges_);
 }
 

@@ -36,7 +36,8 @@ std::uint32_t cubeEdgesBehind(const ViewProjection& view);
 
 class CubePart {
  public:
-  void add(DrawList& list, const Theme& theme, double contentScale);
+  // `lineWidth` is in pixels.
+  void add(DrawList& list, const Theme& theme, double contentScale, float lineWidth);
 
  private:
   GeometrySlot front_, back_;
@@ -47,7 +48,7 @@ class CubePart {
 class ScenePart {
  public:
   void add(DrawList& list, const SharedScene& scene, const Space& space, bool asPoints,
-           const Theme& theme, double contentScale);
+           const Theme& theme, float lineWidth);
 
  private:
   struct Chunk {

@@ -9,6 +9,8 @@ namespace vides {
 namespace {
 
 constexpr float kCurveFade = 0.4f;
+// The current section is wider than the others: 3 pixels where they have 2.2.
+constexpr double kCurrentWider = 3.0 / 2.2;
 // The curve keeps labels away as long as it has at most so many chords.
 constexpr std::size_t kMostBlocking = 20000;
 
@@ -25,6 +27,7 @@ void CurvePart::add(const ViewportContext& context) {
   flattener_.update(context.input.evaluation, context.view());
   if (!context.input.shown.curve) return;
   const auto current = currentPiece(context.input);
+  const double reach = 2.0 * context.input.sizes.curve * context.scale();
   DrawItem item;
   item.fade = kCurveFade;
   const auto addRange = [&](std::size_t begin, std::size_t end) {
@@ -33,9 +36,10 @@ void CurvePart::add(const ViewportContext& context) {
     if (end > begin) context.list.items.push_back(item);
   };
   for (const auto& chunk : flattener_.chunks()) {
-    if (!mayBeSeen(context.view(), chunk.low, chunk.high, 4.0 * context.scale())) continue;
+    if (!mayBeSeen(context.view(), chunk.low, chunk.high, reach)) continue;
     item.geometry = chunk.geometry;
-    item.style = LineStyle{context.colour(ColourRole::kCurve), context.pixels(2.2)};
+    item.style =
+        LineStyle{context.colour(ColourRole::kCurve), context.pixels(context.input.sizes.curve)};
     item.lift = 1;
     const bool here = current && *current >= chunk.first && *current - chunk.first < chunk.pieces();
     if (!here) {
@@ -45,7 +49,8 @@ void CurvePart::add(const ViewportContext& context) {
     const std::size_t piece = *current - chunk.first;
     addRange(0, chunk.begins[piece]);
     addRange(chunk.begins[piece + 1], chunk.begins.back());
-    item.style = LineStyle{context.colour(ColourRole::kAccent), context.pixels(3.0)};
+    item.style = LineStyle{context.colour(ColourRole::kAccent),
+                           context.pixels(kCurrentWider * context.input.sizes.curve)};
     item.lift = 2;
     item.fade = 0.0f;
     addRange(chunk.begins[piece], chunk.begins[piece + 1]);

@@ -128,9 +128,9 @@ void DragPart::addSquares(const ViewportContext& context) {
     const double least = smallestSingularValue(jacobian[u], jacobian[v]);
     if (least < kEdgeOnPixelsPerUnit || best[index] == Vec2{0.0}) continue;
     const double longest = std::max(glm::length(jacobian[u]), glm::length(jacobian[v]));
-    const Vec2 a = jacobian[u] * (0.5 * kSquareSide * context.scale() / longest);
-    const Vec2 b = jacobian[v] * (0.5 * kSquareSide * context.scale() / longest);
-    const Vec2 at = *middle + best[index] * kSquareAway * context.scale();
+    const Vec2 a = jacobian[u] * (0.5 * kSquareSide * context.handleScale() / longest);
+    const Vec2 b = jacobian[v] * (0.5 * kSquareSide * context.handleScale() / longest);
+    const Vec2 at = *middle + best[index] * kSquareAway * context.handleScale();
     const HandleId id{HandleKind::kPlane, input.state.current.key, 0, axis};
     const double grow = context.hovered(id) ? 1.35 : 1.0;
     const Vec2 corners[] = {at + grow * (-a - b), at + grow * (a - b), at + grow * (a + b),
@@ -146,10 +146,10 @@ void DragPart::addSquares(const ViewportContext& context) {
     context.list.items.push_back(item);
     for (int i = -1; i <= 5; ++i) lines.push_back(geometryPoint(corners[(i + 4) % 4]));
     item.geometry = squares_[index].keep(Primitive::kPolylines, std::move(lines));
-    item.style = LineStyle{colour, context.pixels(1.3)};
+    item.style = LineStyle{colour, context.handlePixels(1.3)};
     context.list.items.push_back(item);
-    context.list.handles.push_back({id, at, 8.0 * context.scale()});
-    const Vec2 half{5.0 * context.scale()};
+    context.list.handles.push_back({id, at, 8.0 * context.handleScale()});
+    const Vec2 half{5.0 * context.handleScale()};
     context.labels.blockBox(at - half, at + half, kBlockedByMark);
   }
 }

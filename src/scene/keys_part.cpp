@@ -64,12 +64,12 @@ void KeysPart::find(const ViewportContext& context) {
     if (pixel && context.sees(*pixel, 0.0)) {
       seen_.push_back({index, *pixel});
       context.list.handles.push_back(
-          {{HandleKind::kKey, index, 0, Axis::X}, *pixel, 10.0 * context.scale()});
+          {{HandleKind::kKey, index, 0, Axis::X}, *pixel, 10.0 * context.handleScale()});
     }
     ++index;
   });
   for (const Place& place : seen_) {
-    const Vec2 half{5.0 * context.scale()};
+    const Vec2 half{5.0 * context.handleScale()};
     context.labels.blockBox(place.pixel - half, place.pixel + half, kBlockedByMark);
   }
 }
@@ -88,7 +88,7 @@ void KeysPart::addCrosses(const ViewportContext& context) {
   item.depth = DrawDepth::kOnTop;
   item.geometry = crosses_.keep(Primitive::kMarkers, std::move(points));
   item.style = MarkerStyle{MarkerShape::kCross, context.colour(ColourRole::kKey), kNoColour,
-                           context.pixels(kCrossRadius), context.pixels(1.7)};
+                           context.handlePixels(kCrossRadius), context.handlePixels(1.7)};
   context.list.items.push_back(item);
   addMarks(context);
 }
@@ -106,15 +106,16 @@ void KeysPart::addMarks(const ViewportContext& context) {
     }
   }
   item.geometry = selected_.keep(Primitive::kMarkers, std::move(points));
-  item.style = MarkerStyle{MarkerShape::kSquare, context.colour(ColourRole::kKeySelected),
-                           kNoColour, context.pixels(kSelectedRadius), context.pixels(1.2)};
+  item.style =
+      MarkerStyle{MarkerShape::kSquare, context.colour(ColourRole::kKeySelected), kNoColour,
+                  context.handlePixels(kSelectedRadius), context.handlePixels(1.2)};
   context.list.items.push_back(item);
 
   const auto addCross = [&](GeometrySlot& slot, std::size_t key, ColourRole role, double radius,
                             double width) {
     item.geometry = slot.keep(Primitive::kMarkers, {geometryPoint(keys[key].position)});
     item.style = MarkerStyle{MarkerShape::kCross, context.colour(role), kNoColour,
-                             context.pixels(radius), context.pixels(width)};
+                             context.handlePixels(radius), context.handlePixels(width)};
     context.list.items.push_back(item);
   };
   const bool currentHovered = context.hovered({HandleKind::kKey, state.current.key, 0, Axis::X});
@@ -133,7 +134,7 @@ void KeysPart::addNumber(const ViewportContext& context, const Place& place, boo
                       std::ranges::binary_search(context.input.state.selected, place.key);
   // The current key's plane squares need room.
   const double free = current && context.input.shown.planeSquares ? 20.0 : marked ? 15.0 : 9.0;
-  const double gap = free * context.scale();
+  const double gap = free * context.handleScale();
   const auto pixel = context.labels.place(place.pixel, gap, size, current);
   if (!pixel) return;
   const ColourRole role = current ? ColourRole::kAccent : ColourRole::kKey;

@@ -40,13 +40,14 @@ void TangentsPart::add(const ViewportContext& context) {
   DrawItem item;
   item.depth = DrawDepth::kOnTop;
   item.geometry = lines_.keep(Primitive::kSegments, std::move(lines));
-  item.style = LineStyle{context.colour(ColourRole::kCurve), context.pixels(1.4)};
+  item.style = LineStyle{context.colour(ColourRole::kCurve), context.handlePixels(1.4)};
   context.list.items.push_back(item);
   // The one that arrives ends hollow, the one that leaves filled.
   const auto addEnds = [&](GeometrySlot& slot, std::vector<GeometryPoint> ends, ColourRole fill) {
     item.geometry = slot.keep(Primitive::kMarkers, std::move(ends));
-    item.style = MarkerStyle{MarkerShape::kSquare, context.colour(ColourRole::kCurve),
-                             context.colour(fill), context.pixels(3.0), context.pixels(1.6)};
+    item.style =
+        MarkerStyle{MarkerShape::kSquare, context.colour(ColourRole::kCurve), context.colour(fill),
+                    context.handlePixels(3.0), context.handlePixels(1.6)};
     context.list.items.push_back(item);
   };
   addEnds(incoming_, std::move(incoming), ColourRole::kHandleFill);

@@ -46,6 +46,7 @@ constexpr std::array<Row, kColourRoles> kTable{{
     {R::kUp, "up", 0xcc79a7, 0xa33f78, 0xff9ad0},
     {R::kScene, "scene", 0xc3c9d0, 0x4a525b, 0xf0f0f0},
     {R::kCube, "cube", 0x7c8794, 0x6c7681, 0xc0c0c0},
+    {R::kGrid, "grid", 0x58616c, 0xa3acb6, 0x808080},
     {R::kAxisX, "axis_x", 0xe5654f, 0xc0341d, 0xff6f5c},
     {R::kAxisY, "axis_y", 0x6cc24a, 0x3c7d1e, 0x7dff4f},
     {R::kAxisZ, "axis_z", 0x5a9cf0, 0x1f62c4, 0x7ab8ff},

@@ -49,6 +49,7 @@ enum class ColourRole : std::uint8_t {
   kUp,           // VUP
   kScene,
   kCube,
+  kGrid,  // the reference grid on the cube's floor
   kAxisX,
   kAxisY,
   kAxisZ,

@@ -26,6 +26,9 @@ struct ViewportContext {
   const Colour& colour(ColourRole role) const { return input.theme[role]; }
   double scale() const { return input.contentScale; }
   float pixels(double atScale1) const { return static_cast<float>(atScale1 * scale()); }
+  // Of what can be taken hold of: grows with the chosen size of handles.
+  double handleScale() const { return scale() * input.sizes.handles / ElementSizes().handles; }
+  float handlePixels(double atScale1) const { return static_cast<float>(atScale1 * handleScale()); }
   bool hovered(const HandleId& id) const { return input.state.hovered == id; }
   // Whether a pixel lies in the rectangle, or at most `margin` outside.
   bool sees(const Vec2& pixel, double margin) const;
@@ -44,6 +47,15 @@ class CurvePart {
  private:
   void block(const ViewportContext& context) const;
   CurveFlattener flattener_;
+};
+
+// The grid on the cube's floor: as fine as the view leaves room for, every fifth line stronger.
+class GridPart {
+ public:
+  void add(const ViewportContext& context);
+
+ private:
+  GeometrySlot fine_, strong_;
 };
 
 // Crosses and their numbers.

@@ -13,6 +13,7 @@ struct ViewportScene::Parts {
   DrawList list;
   Evaluation evaluation;
   CubePart cube;
+  GridPart grid;
   ScenePart scene;
   CurvePart curve;
   KeysPart keys;
@@ -44,10 +45,12 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
                             std::max(1.0, r.height - m.top - m.bottom)};
   LabelPlacer labels(free, 4.0 * input.contentScale);
   const ViewportContext context{input, list, labels};
-  if (input.shown.cube) p.cube.add(list, input.theme, input.contentScale);
+  p.grid.add(context);
+  const float lineWidth = context.pixels(input.sizes.lines);
+  if (input.shown.cube) p.cube.add(list, input.theme, input.contentScale, lineWidth);
   if (input.shown.scene) {
     p.scene.add(list, input.scene, context.flight().space, input.shown.sceneAsPoints, input.theme,
-                input.contentScale);
+                lineWidth);
   }
   p.cameras.add(context);
   p.curve.add(context);

@@ -25,6 +25,7 @@ namespace vides {
 // Which elements are seen (Settings → shown elements).
 struct ShownElements {
   bool cube = true;
+  bool grid = false;  // on the cube's floor
   bool scene = true;
   bool sceneAsPoints = false;  // else as wireframe
   bool curve = true;
@@ -43,6 +44,18 @@ struct ShownElements {
 };
 
 inline constexpr std::int64_t kMostGhosts = 250;
+
+// How large elements are drawn: pixels at content scale 1 (Settings → sizes).
+struct ElementSizes {
+  double curve = 2.2;    // width of its line; the current section's grows with it
+  double lines = 1.2;    // of the cube and the scene
+  double handles = 7.0;  // radius of a key's cross; rings, squares and picking grow with it
+  double ghosts = 15.0;  // length of a ghost camera
+  bool operator==(const ElementSizes&) const = default;
+};
+
+// Steps of the reference grid, which is that of snapping.
+inline constexpr double kGridStep = 0.05;
 
 // What a drag shows. The flight in the input is already the dragged one.
 struct DragDisplay {
@@ -88,6 +101,8 @@ struct ViewportInput {
   ViewportText text;
   ViewportState state;
   ShownElements shown;
+  ElementSizes sizes;
+  double gridStep = kGridStep;
   Theme theme = vides::theme(ThemeKind::kDark);
 };
 

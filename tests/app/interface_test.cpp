@@ -94,6 +94,13 @@ class Interface : public testing::TestWithParam<Case> {
       player_->perform(Command("show-window", window));
       settle();
       check(window);
+      const auto shown = widgets().widgets();
+      for (const auto& [id, widget] : shown) {
+        if (!id.starts_with(window + "/page_")) continue;
+        ASSERT_TRUE(player_->clickWidget(id));
+        settle();
+        check(id);
+      }
       player_->perform(Command("close-window", window));
     }
     for (const Menu& menu : menus()) {

@@ -30,6 +30,8 @@ Setup otherSetup() {
     *on = !*on;
   }
   d.shown.ghostEvery = 7;
+  d.sizes = {3.5, 0.75, 9.25, 20.0};
+  d.gridStep = 0.125;
   d.theme = ThemeKind::kHighContrast;
   d.units = Units::kScene;
   d.language = Language::kGerman;
@@ -86,6 +88,8 @@ TEST(Setup, TheFileIsPlainJsonInEveryLocale) {
   EXPECT_EQ(json.at("content_scale"), 1.25);
   EXPECT_EQ(json.at("view").at("turn"), -33.25);
   EXPECT_EQ(json.at("layout").at("timeline"), 200.25);
+  EXPECT_EQ(json.at("grid_step"), 0.125);
+  EXPECT_EQ(json.at("sizes").at("handles"), 9.25);
   EXPECT_EQ(json.at("shown").at("up-circle"), false);
   EXPECT_EQ(json.at("colours").at("cube").size(), 3u);
   // The screen's own scale is no number.
@@ -95,11 +99,14 @@ TEST(Setup, TheFileIsPlainJsonInEveryLocale) {
 TEST(Setup, EverythingThatIsWrongIsToldWithItsPlace) {
   EXPECT_THAT(
       problemsOf(around(R"(, "theme": "beige", "content_scale": 9, "ghost_every": 1.5,
-        "shown": {"cube": 1, "grid": 3}, "colours": {"curve": [1, 2], "aim": [1, 2, 256]},
+        "grid_step": 0, "sizes": {"handles": 4, "hats": 3},
+        "shown": {"cube": 1, "fog": 3}, "colours": {"curve": [1, 2], "aim": [1, 2, 256]},
         "layout": {"left": 9}, "view": 7)")),
       ElementsAre(R"(s: /theme: expected one of "dark", "light", "high_contrast", found "beige")",
                   "s: /content_scale: expected a number from 0.5 to 4, found 9",
                   "s: /ghost_every: expected an integer from 1 to 100000, found 1.5",
+                  "s: /grid_step: expected a number from 0.001 to 0.5, found 0",
+                  "s: /sizes/handles: expected a number from 5 to 16, found 4",
                   "s: /shown/cube: expected true or false, found 1",
                   "s: /colours/curve: expected 3 numbers from 0 to 255, found 2",
                   "s: /colours/aim/2: expected an integer from 0 to 255, found 256",

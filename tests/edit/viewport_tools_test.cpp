@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
+
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -214,6 +217,27 @@ TEST(PlaneDrag, ShiftSnapsWhatMovesToTheGrid) {
   const Vec3 q = hand.session.flight().keys[0].position;
   EXPECT_NE(q.y, p.y);
   hand.release(PointerButton::kLeft, from + Vec2(33, 21));
+}
+
+TEST(PlaneDrag, TheGridsStepCanBeChosenAndGivesTheDecimalsThatAreTyped) {
+  for (const double step : {0.1, 0.003, 0.125, 0.000001 * 1234}) {
+    Hand hand;
+    Display display = hand.session.display();
+    display.gridStep = step;
+    hand.session.setDisplay(display);
+    const Vec2 from = hand.key(0);
+    hand.press(PointerButton::kLeft, from);
+    hand.move(from + Vec2(33, 21), kShift);
+    const Vec3 p = hand.session.flight().keys[0].position;
+    for (const int i : {1, 2}) {
+      const double times = p[i] / step;
+      EXPECT_NEAR(times, std::round(times), 1e-9) << step;
+      char typed[32];
+      std::snprintf(typed, sizeof typed, "%.6f", p[i]);
+      EXPECT_EQ(p[i], std::strtod(typed, nullptr)) << step;
+    }
+    hand.release(PointerButton::kLeft, from + Vec2(33, 21), kShift);
+  }
 }
 
 TEST(PlaneDrag, AKeyStaysInTheCubeAndFollowsAlongItsFace) {

@@ -461,6 +461,97 @@ TEST(ViewportScene, GhostsStandEveryNFrames) {
   EXPECT_GT(ghosts(), static_cast<std::size_t>(kMostGhosts) / 3);
 }
 
+// The widest line of a colour, and the largest marker.
+float widthOf(const DrawList& list, const Colour& colour) {
+  float width = 0.0f;
+  for (const DrawItem& item : list.items) {
+    const auto* style = std::get_if<LineStyle>(&item.style);
+    if (style != nullptr && style->colour == colour) width = std::max(width, style->width);
+  }
+  return width;
+}
+float crossOf(const DrawList& list, const Colour& colour) {
+  float radius = 0.0f;
+  for (const DrawItem& item : list.items) {
+    const auto* style = std::get_if<MarkerStyle>(&item.style);
+    if (style != nullptr && style->shape == MarkerShape::kCross && style->colour == colour) {
+      radius = std::max(radius, style->radius);
+    }
+  }
+  return radius;
+}
+
+TEST(ViewportScene, LinesAndHandlesHaveTheChosenSizes) {
+  ViewportInput input = inputOf(sixKeys());
+  ViewportScene scene;
+  const Theme& t = input.theme;
+  // What 8-looks says, at twice the content scale.
+  input.contentScale = 2.0;
+  const DrawList& plain = scene.build(input);
+  EXPECT_FLOAT_EQ(widthOf(plain, t[ColourRole::kCurve]), 4.4f);
+  EXPECT_FLOAT_EQ(widthOf(plain, t[ColourRole::kAccent]), 6.0f);
+  EXPECT_FLOAT_EQ(widthOf(plain, t[ColourRole::kCube]), 2.4f);
+  EXPECT_FLOAT_EQ(crossOf(plain, t[ColourRole::kKey]), 14.0f);
+  for (const Handle& handle : handlesOf(plain, HandleKind::kKey)) {
+    EXPECT_DOUBLE_EQ(handle.radius, 20.0);
+  }
+  input.sizes = {4.4, 3.0, 14.0, 30.0};
+  const DrawList& large = scene.build(input);
+  EXPECT_FLOAT_EQ(widthOf(large, t[ColourRole::kCurve]), 8.8f);
+  EXPECT_FLOAT_EQ(widthOf(large, t[ColourRole::kAccent]), 12.0f);
+  EXPECT_FLOAT_EQ(widthOf(large, t[ColourRole::kCube]), 6.0f);
+  EXPECT_FLOAT_EQ(crossOf(large, t[ColourRole::kKey]), 28.0f);
+  // Who sees larger handles takes hold of them from farther away.
+  for (const HandleKind kind : {HandleKind::kKey, HandleKind::kAim, HandleKind::kUp}) {
+    for (const Handle& handle : handlesOf(large, kind)) EXPECT_DOUBLE_EQ(handle.radius, 40.0);
+  }
+  for (const Handle& handle : handlesOf(large, HandleKind::kPlane)) {
+    EXPECT_DOUBLE_EQ(handle.radius, 32.0);
+  }
+}
+
+// The lines of the grid by where they stand on the x axis, those of every fifth apart.
+std::set<double> gridLines(const DrawList& list, const Theme& theme, bool strong) {
+  std::set<double> places;
+  for (const DrawItem& item : list.items) {
+    const auto* style = std::get_if<LineStyle>(&item.style);
+    if (style == nullptr || item.lift != -3) continue;
+    if ((style->colour == theme[ColourRole::kGrid]) != strong) continue;
+    for (std::size_t i = 0; i + 1 < item.geometry->points.size(); i += 2) {
+      const GeometryPoint &a = item.geometry->points[i], &b = item.geometry->points[i + 1];
+      EXPECT_EQ(a.y, -1.0f);
+      EXPECT_EQ(b.y, -1.0f);
+      EXPECT_FLOAT_EQ(std::hypot(a.x - b.x, a.z - b.z), 2.0f);
+      if (a.x == b.x) places.insert(std::round(static_cast<double>(a.x) * 1e4) / 1e4);
+    }
+  }
+  return places;
+}
+
+TEST(ViewportScene, TheGridHasTheStepsOfSnappingOrEveryFifth) {
+  ViewportInput input = inputOf(sixKeys());
+  ViewportScene scene;
+  const auto lines = [&](bool strong) {
+    return gridLines(scene.build(input), input.theme, strong);
+  };
+  EXPECT_TRUE(lines(true).empty() && lines(false).empty());  // hidden by default
+  input.shown.grid = true;
+  // Near enough for the steps themselves. The cube's own edges are left to it.
+  input.view.size = 2.0;
+  EXPECT_EQ(lines(true), (std::set<double>{-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75}));
+  EXPECT_EQ(lines(false).size(), 32u);
+  EXPECT_TRUE(lines(false).contains(0.05));
+  input.shown.cube = false;
+  EXPECT_TRUE(lines(true).contains(1.0));
+  // From afar they are five times as far apart.
+  input.view.size = 0.5;
+  EXPECT_EQ(lines(true), (std::set<double>{0.0}));
+  EXPECT_EQ(lines(false), (std::set<double>{-1.0, -0.75, -0.5, -0.25, 0.25, 0.5, 0.75, 1.0}));
+  input.view.size = 2.0;
+  input.gridStep = 0.5;
+  EXPECT_EQ(lines(false), (std::set<double>{-1.0, -0.5, 0.5, 1.0}));
+}
+
 TEST(ViewportScene, TheNearestPlaceOnTheCurveHasItsFraction) {
   ViewportInput input = inputOf(sixKeys());
   ViewportScene scene;

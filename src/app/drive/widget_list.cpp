@@ -28,6 +28,14 @@ std::map<std::string, Widget> allWidgets(Player& player) {
     player.perform(Command("show-window", window));
     player.frame();
     collect();
+    // What stands on a page of its own.
+    const auto shown = player.editor().widgets().widgets();
+    for (const auto& [id, widget] : shown) {
+      if (!id.starts_with(window + "/page_")) continue;
+      player.clickWidget(id);
+      player.frame();
+      collect();
+    }
     player.perform(Command("close-window", window));
   }
   return all;
