@@ -42,7 +42,7 @@ void endStack(const Stack& stack, float top) {
 
 // In a low window the columns need the room more, unless the user has chosen a height.
 float timelineHeight(const Ui& ui, const Layout& layout, float height) {
-  constexpr float kLeast = 116.0f;
+  constexpr float kLeast = 128.0f;
   constexpr float kShare = 0.2f;
   const float wanted = ui.px(layout.timeline);
   if (layout.timeline != Layout().timeline) return std::min(wanted, height * 0.5f);

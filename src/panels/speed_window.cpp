@@ -14,12 +14,21 @@
 namespace vides {
 namespace {
 
-constexpr float kWidth = 820.0f;
-constexpr float kHeight = 436.0f;
 constexpr float kRow = 22.0f;
 constexpr float kAxis = 30.0f;   // left of the curve: 1 to 100
 constexpr float kThere = 50.0f;  // right of it: the same in the scene
-constexpr float kColumn = 44.0f;
+
+// At content scale 1. In a low window a flat one leaves the curve to be seen; it stands over the
+// timeline.
+struct Measures {
+  float width, height;
+  float column;  // of a handle
+  float graph;   // its height
+};
+constexpr Measures kLarge{820.0f, 436.0f, 44.0f, 200.0f};
+constexpr Measures kFlat{944.0f, 264.0f, 40.0f, 158.0f};
+constexpr float kLowScreen = 1000.0f;
+constexpr float kRamps = 152.0f;  // width of the eases in a flat window
 constexpr const char* kValues[kSpeedValues] = {"speed/v0", "speed/v1", "speed/v2", "speed/v3",
                                                "speed/v4", "speed/v5", "speed/v6", "speed/v7",
                                                "speed/v8", "speed/v9"};
@@ -62,7 +71,7 @@ void fields(Ui& ui, const Rect& rect, const Rect& row, const Session& session,
             const SpeedWindowMemory& memory, Actions& actions) {
   const SpeedValues& values = session.currentOrientation().speed;
   const auto box = [&](int column) {
-    const float width = ui.px(kColumn - 2);
+    const float width = std::round(rect.width / 12.0f) - ui.px(2);
     return Rect{speedColumn(rect, column) - width / 2, row.y, width, row.height};
   };
   for (int j = 0; j < kSpeedValues; ++j) {
@@ -88,7 +97,7 @@ void fields(Ui& ui, const Rect& rect, const Rect& row, const Session& session,
 void matches(Ui& ui, const Rect& row, const Session& session, const SpeedWindowMemory& memory,
              Actions& actions) {
   const SpeedGraph* graph = memory.graph ? &*memory.graph : nullptr;
-  const float width = ui.px(150);
+  const float width = ui.px(144);
   const bool first = graph != nullptr && graph->jumpsBefore();
   const bool last = graph != nullptr && graph->jumpsAfter();
   commandButton(ui, "speed/match_before", {row.x, row.y, width, row.height}, "match-speed before",
@@ -99,8 +108,9 @@ void matches(Ui& ui, const Rect& row, const Session& session, const SpeedWindowM
   const auto jump = [&](const char* id, double from, double to, Align align) {
     const float half = (row.width - 2 * width) / 2 - ui.px(12);
     const float x = align == Align::kLeft ? row.x + width + ui.px(8) : row.centreX() + ui.px(4);
-    const std::string words = fmt::format("{} {} \u2192 {}", ui.words("speed.jump"),
-                                          ui.number(from, 0), ui.number(to, 0));
+    const std::string numbers = fmt::format("{} \u2192 {}", ui.number(from, 0), ui.number(to, 0));
+    const std::string sentence = ui.words("speed.jump") + " " + numbers;
+    const std::string& words = ui.textWidth(sentence, Weight::kSmall) <= half ? sentence : numbers;
     const Rect box{x, row.y, half, row.height};
     ui.text(box, words, {.colour = ColourRole::kError, .weight = Weight::kSmall, .align = align});
     ui.shows(id, box, words);
@@ -115,7 +125,11 @@ void smallGraph(Ui& ui, const Rect& rect, const char* id, const std::string& val
                 const std::function<double(const SpeedGraph::Point&)>& of, ColourRole role) {
   const Rect heading{rect.x, rect.y, rect.width, ui.px(18)};
   const float width = ui.textWidth(value, Weight::kSmall);
-  ui.text({heading.x, heading.y, heading.width - width - ui.px(8), heading.height}, ui.words(id),
+  const float room = heading.width - width - ui.px(8);
+  const std::string whole = ui.words(id);
+  const std::string brief = ui.words(std::string(id) + "#short");
+  const bool fits = brief.empty() || ui.textWidth(whole, Weight::kSmall) <= room;
+  ui.text({heading.x, heading.y, room, heading.height}, fits ? whole : brief,
           {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall});
   ui.text({heading.right() - width, heading.y, width, heading.height}, value,
           {.weight = Weight::kSmall, .align = Align::kRight});
@@ -140,8 +154,11 @@ void smallGraph(Ui& ui, const Rect& rect, const char* id, const std::string& val
                    1.8f * ui.scale());
 }
 
-void lowerGraphs(Ui& ui, const Rect& row, const SpeedWindowMemory& memory) {
-  const auto boxes = split(ui, row, 2, 16.0f);
+// The first one takes `first` pixels of the row.
+void lowerGraphs(Ui& ui, const Rect& row, float first, const SpeedWindowMemory& memory) {
+  const float second = first + ui.px(16);
+  const Rect boxes[] = {{row.x, row.y, first, row.height},
+                        {row.x + second, row.y, row.width - second, row.height}};
   const SpeedGraph* graph = memory.graph ? &*memory.graph : nullptr;
   const double amount = graph != nullptr && graph->amount > 0.0 ? graph->amount : 1.0;
   smallGraph(
@@ -186,10 +203,12 @@ void easeButton(Ui& ui, const Rect& box, std::string_view name, const Session& s
       ui.colour(enabled ? ColourRole::kText : ColourRole::kTextDisabled), 0, 1.5f * ui.scale());
 }
 
-void easeGrid(Ui& ui, Stack& rows, const Session& session, Actions& actions, bool enabled) {
+void easeGrid(Ui& ui, Stack& rows, const Session& session, Actions& actions, bool enabled,
+              bool flat) {
   constexpr const char* kRows[] = {"sine", "parabola", "acceleration"};
   constexpr const char* kColumns[] = {"in", "out", "in-out"};
-  ui.text(rows.row(20), ui.words("speed.ease"), {.weight = Weight::kSemibold});
+  const float height = flat ? 24.0f : 28.0f;
+  if (!flat) ui.text(rows.row(20), ui.words("speed.ease"), {.weight = Weight::kSemibold});
   const auto boxesOf = [&](const Rect& row) {
     const float label = ui.px(66);
     return split(ui, {row.x + label, row.y, row.width - label, row.height}, 3);
@@ -198,12 +217,12 @@ void easeGrid(Ui& ui, Stack& rows, const Session& session, Actions& actions, boo
     ui.text({row.x, row.y, ui.px(62), row.height}, ui.words(key),
             {.colour = ColourRole::kTextSecondary});
   };
-  const Rect constant = rows.row(28);
+  const Rect constant = rows.row(height);
   label(constant, "speed.constant");
   easeButton(ui, boxesOf(constant)[0], "constant", session, actions, enabled);
   for (const char* kind : kRows) {
     rows.gap(4);
-    const Rect row = rows.row(28);
+    const Rect row = rows.row(height);
     label(row, std::string("speed.") + kind);
     const auto boxes = boxesOf(row);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -260,34 +279,54 @@ std::string heading(const Ui& ui, const Session& session, const SpeedWindowMemor
   return words;
 }
 
+// The curve with its numbers and buttons; its right end is returned.
+Rect curveWithNumbers(Ui& ui, const Rect& room, const Measures& measures, const Session& session,
+                      SpeedWindowMemory& memory, Actions& actions) {
+  const Rect graph{room.x + ui.px(kAxis), room.y, 12 * ui.px(measures.column),
+                   ui.px(measures.graph)};
+  speedCurveArea(ui, graph, session, memory, actions);
+  const Rect numbers{graph.x, graph.bottom() + ui.px(4), graph.width, ui.px(kRow)};
+  fields(ui, graph, numbers, session, memory, actions);
+  const Rect buttons{graph.x, numbers.bottom() + ui.px(6), graph.width, ui.px(kRow)};
+  matches(ui, buttons, session, memory, actions);
+  if (memory.graph && memory.graph->unit != SectionUnit::kNone) {
+    const std::string unit = perSecond(ui, memory.graph->unit, "/s");
+    ui.text({graph.right() + ui.px(6), numbers.y, ui.px(kThere), numbers.height}, unit,
+            {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .mayShorten = true});
+  }
+  return {graph.x, graph.y, graph.width, buttons.bottom() - graph.y};
+}
+
 }  // namespace
 
 void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Actions& actions) {
   follow(session, memory);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const bool flat = screen.y < ui.px(kLowScreen) && screen.x >= ui.px(kFlat.width);
+  const Measures& measures = flat ? kFlat : kLarge;
   const FloatingFrame frame{
-      "speed",      kWidth,
-      kHeight,      heading(ui, session, memory),
-      std::nullopt, std::max(ui.px(36), screen.y - ui.px(kHeight) - ui.px(160))};
+      "speed",         measures.width,
+      measures.height, heading(ui, session, memory),
+      std::nullopt,    std::max(ui.px(36), screen.y - ui.px(measures.height + 8))};
   const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
-    const Rect graph{room.x + ui.px(kAxis), room.y, ui.px(12 * kColumn), ui.px(200)};
-    speedCurveArea(ui, graph, session, memory, actions);
-    const Rect numbers{graph.x, graph.bottom() + ui.px(4), graph.width, ui.px(kRow)};
-    fields(ui, graph, numbers, session, memory, actions);
-    const Rect buttons{graph.x, numbers.bottom() + ui.px(6), graph.width, ui.px(kRow)};
-    matches(ui, buttons, session, memory, actions);
-    const float top = buttons.bottom() + ui.px(8);
-    lowerGraphs(ui, {graph.x, top, graph.width, room.bottom() - top}, memory);
-    if (memory.graph && memory.graph->unit != SectionUnit::kNone) {
-      const std::string unit = perSecond(ui, memory.graph->unit, "/s");
-      ui.text({graph.right() + ui.px(6), numbers.y, ui.px(kThere), numbers.height}, unit,
-              {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .mayShorten = true});
+    const Rect curve = curveWithNumbers(ui, room, measures, session, memory, actions);
+    const float left = curve.right() + ui.px(kThere) + ui.px(8);
+    const bool owns = memory.graph.has_value();
+    Stack rows(ui, left, room.y, flat ? ui.px(kRamps) : room.right() - left);
+    easeGrid(ui, rows, session, actions, owns, flat);
+    if (!flat) {
+      rows.gap(10);
+      duration(ui, rows, session, memory, actions);
+      const float top = curve.bottom() + ui.px(8);
+      lowerGraphs(ui, {curve.x, top, curve.width, room.bottom() - top},
+                  std::floor((curve.width - ui.px(16)) / 2), memory);
+      return;
     }
-    const float left = graph.right() + ui.px(kThere) + ui.px(8);
-    Stack rows(ui, left, room.y, room.right() - left);
-    easeGrid(ui, rows, session, actions, memory.graph.has_value());
-    rows.gap(10);
-    duration(ui, rows, session, memory, actions);
+    const float right = left + ui.px(kRamps + 16);
+    Stack numbers(ui, right, room.y, room.right() - right);
+    duration(ui, numbers, session, memory, actions);
+    const float top = std::max(rows.y(), numbers.y()) + ui.px(4);
+    lowerGraphs(ui, {left, top, room.right() - left, room.bottom() - top}, ui.px(kRamps), memory);
   });
   if (!stays) actions.run(Command("close-window", "speed"));
 }

@@ -15,6 +15,7 @@
 namespace vides {
 namespace {
 
+constexpr float kLowTimeline = 148.0f;
 constexpr double kLeastFramesPerPixel = 1.0 / 40.0;
 
 // Frames to pixels and back.
@@ -398,6 +399,8 @@ double rulerStep(double framesPerPixel, double frameRate, double least) {
 
 void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraphs& graphs,
                    TimelineView& view, Actions& actions) {
+  // Where it is low, the rows give what they can to the strip.
+  const bool low = rect.height < ui.px(kLowTimeline);
   const Rect row{rect.x + ui.px(8), rect.y + ui.px(6), rect.width - ui.px(16), ui.px(22)};
   transport(ui, row, session, view, actions);
   Track track;
@@ -410,14 +413,14 @@ void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraph
   navigate(ui, below, track, view);
 
   const float width = track.right - track.left;
-  const Rect rulerRow{track.left, row.bottom() + ui.px(4), width, ui.px(30)};
+  const Rect rulerRow{track.left, row.bottom() + ui.px(low ? 2 : 4), width, ui.px(low ? 24 : 30)};
   ruler(ui, rulerRow, track, session.flight().frameRate);
-  const Rect bars{track.left, rulerRow.bottom() + ui.px(2), width, ui.px(20)};
+  const Rect bars{track.left, rulerRow.bottom() + ui.px(2), width, ui.px(low ? 18 : 20)};
   sections(ui, bars, track, session, view, actions);
   const Rect markRow{track.left - ui.px(8), bars.bottom() + ui.px(1), width + ui.px(16), ui.px(12)};
   marks(ui, markRow, track, session, actions);
   const Rect stripRow{track.left, markRow.bottom() + ui.px(2), width,
-                      rect.bottom() - ui.px(8) - markRow.bottom() - ui.px(2)};
+                      rect.bottom() - ui.px(low ? 6 : 8) - markRow.bottom() - ui.px(2)};
   strip(ui, stripRow, track, graphs);
   playhead(ui, {rulerRow.x - ui.px(8), rulerRow.y, rulerRow.width + ui.px(16), rulerRow.height},
            std::max(markRow.bottom(), stripRow.bottom()), track, session, view, actions);

@@ -81,6 +81,35 @@ TEST(Editor, TheBaselinesSeeTheCameraMovedByOnePixel) {
   expectSeesOnePixel({1920, 1200}, 2.0, "window_1920x1200_scale_2");
 }
 
+// Whoever draws a speed curve sees what it does to the ghost cameras along the flight's curve.
+TEST(Editor, TheSpeedWindowLeavesTheCurveToBeSeen) {
+  for (const PixelSize size :
+       {PixelSize{960, 600}, PixelSize{1280, 800}, PixelSize{1920, 1200}, PixelSize{2560, 1440}}) {
+    Stage one = stage(size, 1.0);
+    openPyramid(*one.player);
+    ASSERT_TRUE(one.player->perform(*parseCommand("language de")));
+    ASSERT_TRUE(one.player->perform(*parseCommand("show-window speed")));
+    one.player->frame();
+    Editor& editor = one.player->editor();
+    const Rect seen = editor.viewport();
+    const ViewProjection view =
+        viewProjection(editor.session().view().view,
+                       {static_cast<double>(seen.x), static_cast<double>(seen.y),
+                        static_cast<double>(seen.width), static_cast<double>(seen.height)});
+    const auto top = static_cast<double>(editor.widgets().find("speed/heading")->rect.y);
+    const Evaluation& evaluation = editor.session().evaluation();
+    for (std::size_t piece = 0; piece < evaluation.pieceCount(); ++piece) {
+      for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        EXPECT_LT(view.project(evaluation.piecePoint(piece, share))->y, top - 8.0)
+            << size.width << " x " << size.height << ", piece " << piece;
+      }
+    }
+    for (const DrawnText& text : editor.widgets().texts()) {
+      EXPECT_LE(text.width, text.box + 0.5f) << text.text << ", " << size.width;
+    }
+  }
+}
+
 TEST(Editor, AFreeViewInTheViewportsPlaceLooksAsItDid) {
   Stage one = stage({960, 600}, 1.0);
   one.player->frame();
