@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How much of a pixel a segment covers, from the pixel's distance to it.
 #version 330 core
-flat in vec2 from;
-flat in vec2 to;
+flat in vec4 ends;
 flat in vec4 cuts;
-flat in float patternStart;
-noperspective in float far;
+in vec2 run;
 
 uniform vec2 target;
 uniform float halfWidth;
@@ -35,6 +33,7 @@ float covered(float inside, vec2 normal) {
 
 void main() {
   vec2 place = vec2(gl_FragCoord.x, target.y - gl_FragCoord.y);
+  vec2 from = ends.xy, to = ends.zw;
   // At a join each pixel belongs to one of the two segments, so that none is covered twice.
   if (cuts.xy != vec2(0.0) && dot(place - from, cuts.xy) < 0.0) discard;
   if (cuts.zw != vec2(0.0) && dot(place - to, cuts.zw) >= 0.0) discard;
@@ -43,18 +42,18 @@ void main() {
   float size = length(way);
   vec2 along = size < 0.01 ? vec2(1.0, 0.0) : way / size;
   vec2 offset = place - from;
-  float run = dot(offset, along);
+  float passed = dot(offset, along);
   float across = dot(offset, vec2(-along.y, along.x));
-  float beyond = max(max(-run, run - size), 0.0);
+  float beyond = max(max(-passed, passed - size), 0.0);
   float away = length(vec2(beyond, across));
   vec2 normal = vec2(-along.y, along.x);
-  if (beyond > 0.0) normal = (along * (run < 0.0 ? -beyond : beyond) + normal * across) / away;
+  if (beyond > 0.0) normal = (along * (passed < 0.0 ? -beyond : beyond) + normal * across) / away;
   float coverage = covered(halfWidth - away, normal) - covered(-halfWidth - away, normal);
   if (dash.x > 0.0) {
-    float middle = patternStart + run - 0.5 * dash.x + 0.5 * dash.y;
+    float middle = run.y + passed - 0.5 * dash.x + 0.5 * dash.y;
     float gap = abs(mod(middle, dash.y) - 0.5 * dash.y) - 0.5 * dash.x;
     coverage *= clamp(0.5 - gap, 0.0, 1.0);
   }
   if (coverage < least) discard;
-  outColour = vec4(mix(colour.rgb, ground, fade * far), colour.a * coverage);
+  outColour = vec4(mix(colour.rgb, ground, fade * run.x), colour.a * coverage);
 }

@@ -15,11 +15,11 @@ uniform float nearest;    // w of the front plane; 0 in a parallel projection
 uniform float halfWidth;
 uniform float lift;       // towards the viewer, in clip units
 
-flat out vec2 from;        // pixels, y down
-flat out vec2 to;
-flat out vec4 cuts;        // normals of the bisectors at both ends; 0: a round end
-flat out float patternStart;
-noperspective out float far;
+// The three programs of the scene hand over the same: a software driver makes the code that sets
+// up triangles anew for each kind of hand-over, and keeps it in no cache on disk.
+flat out vec4 ends;  // both ends, pixels, y down
+flat out vec4 cuts;  // normals of the bisectors at both ends; 0: a round end
+out vec2 run;        // the share of the way to the far side; pixels of the pattern at the start
 
 const int kCorners[6] = int[6](0, 1, 2, 2, 1, 3);
 const float kTiny = 0.01;  // pixels: shorter has no direction
@@ -53,9 +53,8 @@ float reachOf(vec2 cut, vec2 along, float whole) {
 
 void main() {
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // beyond everything
-  from = to = vec2(0.0);
-  cuts = vec4(0.0);
-  patternStart = far = 0.0;
+  ends = cuts = vec4(0.0);
+  run = vec2(0.0);
   int element = first + gl_VertexID / 6;
   int which = kCorners[gl_VertexID % 6];
   int index = joined ? element + 1 : 2 * element;
@@ -75,8 +74,9 @@ void main() {
   if (t0 > t1) return;
   vec4 first = t0 > 0.0 ? mix(a, b, t0) : a;
   vec4 second = t1 < 1.0 ? mix(a, b, t1) : b;
-  from = pixelOf(first);
-  to = pixelOf(second);
+  vec2 from = pixelOf(first);
+  vec2 to = pixelOf(second);
+  ends = vec4(from, to);
 
   vec2 way = to - from;
   float size = length(way);
@@ -97,8 +97,8 @@ void main() {
       cuts.zw = bisector(along, normalize(outgoing));
     }
   }
-  patternStart = joined ? start.w : 0.0;
-  if (t0 > 0.0 && a.w > nearest) patternStart += distance(pixelOf(a), from);
+  run.y = joined ? start.w : 0.0;
+  if (t0 > 0.0 && a.w > nearest) run.y += distance(pixelOf(a), from);
 
   bool atStart = which < 2;
   float side = (which & 1) == 0 ? -1.0 : 1.0;
@@ -109,7 +109,7 @@ void main() {
 
   vec4 clip = atStart ? first : second;
   vec4 world = vec4(mix(start.xyz, end.xyz, atStart ? t0 : t1), 1.0);
-  far = clamp(dot(depthPlane, world), 0.0, 1.0);
+  run.x = clamp(dot(depthPlane, world), 0.0, 1.0);
   // Kept between the planes: what lies beyond the back plane is drawn farthest.
   float depth = clamp(clip.z / clip.w - lift, -1.0, 1.0);
   gl_Position = vec4(2.0 * corner.x / target.x - 1.0, 1.0 - 2.0 * corner.y / target.y, depth, 1.0);

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Discs, rings, crosses and squares by their distance functions.
 #version 330 core
-flat in vec2 middle;
-flat in float far;
+flat in vec4 ends;
+flat in vec4 cuts;
+in vec2 run;
 
 uniform vec2 target;
 uniform int shape;  // MarkerShape
-uniform float radius;
-uniform float halfWidth;
 uniform vec4 colour;
-uniform vec4 fill;
 uniform vec3 ground;
-uniform float fade;
 uniform float least;
 
 layout(location = 0) out vec4 outColour;
@@ -22,7 +19,9 @@ float toSegment(vec2 place, vec2 tip) {
 }
 
 void main() {
-  vec2 place = vec2(gl_FragCoord.x, target.y - gl_FragCoord.y) - middle;
+  vec2 place = vec2(gl_FragCoord.x, target.y - gl_FragCoord.y) - ends.xy;
+  float radius = ends.z, halfWidth = ends.w;
+  vec4 fill = cuts;
   float inside = 1.0;  // distance to the filled part; below 0 in it
   float away;          // distance to the outline's middle line
   if (shape == 0) {
@@ -48,5 +47,5 @@ void main() {
   float alpha = lineAlpha + area * (1.0 - lineAlpha);
   if (alpha <= 0.0 || max(line, area) < least) discard;
   vec3 mixed = (colour.rgb * lineAlpha + fill.rgb * area * (1.0 - lineAlpha)) / alpha;
-  outColour = vec4(mix(mixed, ground, fade * far), alpha);
+  outColour = vec4(mix(mixed, ground, run.y * run.x), alpha);
 }

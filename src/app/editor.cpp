@@ -272,10 +272,8 @@ FrameOutcome Editor::frame(const FrameInput& given) {
 }
 
 void Editor::Parts::draw(const FrameInput& given) {
-  GLint target = 0;
-  gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   const Colour ground = colours[ColourRole::kWindow];
-  pictures->prepare(static_cast<GLuint>(target), given.size.width, given.size.height);
+  pictures->prepare(given.size.width, given.size.height);
   gl.Disable(GL_SCISSOR_TEST);
   gl.ClearColor(static_cast<float>(ground.red) / 255.0f, static_cast<float>(ground.green) / 255.0f,
                 static_cast<float>(ground.blue) / 255.0f, 1.0f);

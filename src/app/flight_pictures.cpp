@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "render/imgui_renderer.hpp"
 #include "scene/obj_reader.hpp"
 
 namespace vides {
@@ -58,6 +57,17 @@ ViewportInput viewportInput(const Ui& ui, const Session& session, const SharedSc
   return input;
 }
 
+void addTexts(const Ui& ui, ImDrawList& list, const DrawList& picture) {
+  for (const DrawText& text : picture.texts) {
+    const ImFont* font = ui.font(text.strong ? Weight::kSemibold : Weight::kRegular);
+    const Colour& c = text.colour;
+    list.AddText(font, font->FontSize,
+                 {std::round(static_cast<float>(text.pixel.x)),
+                  std::round(static_cast<float>(text.pixel.y))},
+                 IM_COL32(c.red, c.green, c.blue, c.alpha), text.text.c_str());
+  }
+}
+
 }  // namespace
 
 SharedScene SceneCache::of(const Flight& flight, const std::string& flightPath,
@@ -85,98 +95,74 @@ SharedScene SceneCache::of(const Flight& flight, const std::string& flightPath,
 tl::expected<std::unique_ptr<FlightPictures>, std::string> FlightPictures::create(const Gl& gl) {
   auto renderer = SceneRenderer::create(gl);
   if (!renderer) return Failure(renderer.error());
-  return std::unique_ptr<FlightPictures>(new FlightPictures(gl, std::move(*renderer)));
+  return std::unique_ptr<FlightPictures>(new FlightPictures(std::move(*renderer)));
 }
 
 void FlightPictures::begin() {
   flightRect_ = filmRect_ = {};
-  flightList_ = viewportList_ = columnList_ = nullptr;
+  flightList_ = filmList_ = nullptr;
 }
 
 std::optional<HandleId> FlightPictures::handleUnder(const Vec2& pixel, std::size_t currentKey,
                                                     double contentScale) const {
   if (flightList_ == nullptr) return std::nullopt;
-  return handleAt(*flightList_, pixel - flightCorner_, currentKey, contentScale);
+  return handleAt(*flightList_, pixel, currentKey, contentScale);
 }
 
 std::optional<CurveHit> FlightPictures::curveUnder(const Vec2& pixel, double reach) const {
   if (flightList_ == nullptr) return std::nullopt;
-  return flightScene_.nearestOnCurve(pixel - flightCorner_, reach);
+  return flightScene_.nearestOnCurve(pixel, reach);
 }
 
-const DrawList& FlightPictures::make(bool film, const Ui& ui, const Rect& rect, const Vec2& corner,
-                                     const Session& session, const SharedScene& scene,
-                                     const ViewportState& state) {
+void FlightPictures::add(bool film, const Ui& ui, ImDrawList& list, const Rect& rect,
+                         const Session& session, const SharedScene& scene,
+                         const ViewportState& state) {
+  if (rect.empty()) return;
   const Theme& theme = ui.theme();
-  const Rect inWindow{rect.x + static_cast<float>(corner.x), rect.y + static_cast<float>(corner.y),
-                      rect.width, rect.height};
-  (film ? filmRect_ : flightRect_) = inWindow;
-  if (film) return filmScene_.build(cameraInput(session, scene, rect, theme, ui.scale()));
-  flightCorner_ = corner;
-  ViewportInput input = viewportInput(ui, session, scene, rect, theme);
-  input.state = state;
-  flightList_ = &flightScene_.build(input);
-  return *flightList_;
-}
-
-void FlightPictures::texts(const Ui& ui, ImDrawList& list, const DrawList& picture,
-                           const Rect& clip, const Vec2& offset) const {
-  list.PushClipRect({clip.x, clip.y}, {clip.right(), clip.bottom()}, true);
-  for (const DrawText& text : picture.texts) {
-    const ImFont* font = ui.font(text.strong ? Weight::kSemibold : Weight::kRegular);
-    const Colour& c = text.colour;
-    const Vec2 at = text.pixel + offset;
-    list.AddText(font, font->FontSize,
-                 {std::round(static_cast<float>(at.x)), std::round(static_cast<float>(at.y))},
-                 IM_COL32(c.red, c.green, c.blue, c.alpha), text.text.c_str());
+  const DrawList* picture = nullptr;
+  if (film) {
+    filmRect_ = rect;
+    picture = filmList_ = &filmScene_.build(cameraInput(session, scene, rect, theme, ui.scale()));
+  } else {
+    flightRect_ = rect;
+    ViewportInput input = viewportInput(ui, session, scene, rect, theme);
+    input.state = state;
+    picture = flightList_ = &flightScene_.build(input);
   }
+  list.PushClipRect({rect.x, rect.y}, {rect.right(), rect.bottom()}, true);
+  list.AddCallback(film ? &draw<&FlightPictures::filmList_> : &draw<&FlightPictures::flightList_>,
+                   this);
+  list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+  addTexts(ui, list, *picture);
   list.PopClipRect();
 }
 
 void FlightPictures::viewport(const Ui& ui, ImDrawList& list, const Rect& rect,
                               const Session& session, const SharedScene& scene,
                               const ViewportState& state) {
-  if (rect.empty()) return;
-  viewportList_ = &make(session.view().swapped, ui, rect, Vec2(0.0), session, scene, state);
-  list.AddCallback(&drawViewport, this);
-  list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
-  texts(ui, list, *viewportList_, rect, Vec2(0.0));
+  add(session.view().swapped, ui, list, rect, session, scene, state);
 }
 
 void FlightPictures::camera(const Ui& ui, ImDrawList& list, const Rect& rect,
                             const Session& session, const SharedScene& scene,
                             const ViewportState& state) {
-  if (rect.empty()) return;
-  const Rect inside{0.0f, 0.0f, rect.width, rect.height};
-  const int width = static_cast<int>(rect.width);
-  const int height = static_cast<int>(rect.height);
-  if (!column_ || column_.width() != width || column_.height() != height) {
-    auto made = Framebuffer::create(*gl_, width, height, 0);
-    if (!made) return;  // no memory for it: the column stays empty
-    column_ = std::move(*made);
-  }
-  const Vec2 corner(rect.x, rect.y);
-  columnList_ = &make(!session.view().swapped, ui, inside, corner, session, scene, state);
-  // OpenGL's pictures begin at the bottom.
-  list.AddImage(imguiTexture(column_.texture().id()), {rect.x, rect.y},
-                {rect.right(), rect.bottom()}, {0.0f, 1.0f}, {1.0f, 0.0f});
-  texts(ui, list, *columnList_, rect, corner);
+  add(!session.view().swapped, ui, list, rect, session, scene, state);
 }
 
-void FlightPictures::prepare(GLuint target, int width, int height) {
+void FlightPictures::prepare(int width, int height) {
   width_ = width;
   height_ = height;
-  if (columnList_ == nullptr) return;
-  column_.bind();
-  renderer_.draw(*columnList_, column_.width(), column_.height());
-  column_.resolve();
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, target);
-  gl_->Viewport(0, 0, width, height);
 }
 
-void FlightPictures::drawViewport(const ImDrawList*, const ImDrawCmd* command) {
+// A column that is scrolled shows only part of the picture.
+template <const DrawList* FlightPictures::*kPicture>
+void FlightPictures::draw(const ImDrawList*, const ImDrawCmd* command) {
   auto& self = *static_cast<FlightPictures*>(command->UserCallbackData);
-  if (self.viewportList_) self.renderer_.draw(*self.viewportList_, self.width_, self.height_);
+  if (self.*kPicture == nullptr) return;
+  const ImVec4& clip = command->ClipRect;
+  const PixelRectangle seen{clip.x, clip.y, std::max(0.0f, clip.z - clip.x),
+                            std::max(0.0f, clip.w - clip.y)};
+  self.renderer_.draw(*(self.*kPicture), self.width_, self.height_, seen);
 }
 
 }  // namespace vides

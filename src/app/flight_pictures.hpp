@@ -11,7 +11,6 @@
 #include "edit/session.hpp"
 #include "panels/ui.hpp"
 #include "render/failure.hpp"
-#include "render/framebuffer.hpp"
 #include "render/scene_renderer.hpp"
 #include "scene/camera_scene.hpp"
 #include "scene/viewport_scene.hpp"
@@ -32,8 +31,9 @@ class SceneCache {
 };
 
 // The two pictures of a display frame, and how they get into Dear ImGui's draw lists. Each function
-// adds its picture at once and draws it when the lists are drawn: what it was made of must live so
-// long, and setTarget() come before.
+// adds its picture at once and draws it when the lists are drawn, straight into the window: what it
+// was made of must live so long, and prepare() come before. (A framebuffer of its own for the
+// smaller one would double what a software driver compiles before the first picture.)
 class FlightPictures {
  public:
   static tl::expected<std::unique_ptr<FlightPictures>, std::string> create(const Gl& gl);
@@ -44,8 +44,8 @@ class FlightPictures {
   // The other one, in the column.
   void camera(const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
               const SharedScene& scene, const ViewportState& state);
-  // Before the lists are drawn: makes the picture in the column, then binds the target again.
-  void prepare(GLuint target, int width, int height);
+  // Before the lists are drawn: the size of the framebuffer in pixels.
+  void prepare(int width, int height);
 
   // At the beginning of a display frame: neither picture is on screen so far.
   void begin();
@@ -60,25 +60,18 @@ class FlightPictures {
   std::optional<CurveHit> curveUnder(const Vec2& pixel, double reach) const;
 
  private:
-  FlightPictures(const Gl& gl, SceneRenderer renderer) : gl_(&gl), renderer_(std::move(renderer)) {}
-  // Its pixels count from `corner` in the window.
-  const DrawList& make(bool film, const Ui& ui, const Rect& rect, const Vec2& corner,
-                       const Session& session, const SharedScene& scene,
-                       const ViewportState& state);
-  void texts(const Ui& ui, ImDrawList& list, const DrawList& picture, const Rect& clip,
-             const Vec2& offset) const;
-  static void drawViewport(const ImDrawList* list, const ImDrawCmd* command);
+  explicit FlightPictures(SceneRenderer renderer) : renderer_(std::move(renderer)) {}
+  void add(bool film, const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
+           const SharedScene& scene, const ViewportState& state);
+  template <const DrawList* FlightPictures::*kPicture>
+  static void draw(const ImDrawList* list, const ImDrawCmd* command);
 
-  const Gl* gl_;
   SceneRenderer renderer_;
   ViewportScene flightScene_;
   CameraScene filmScene_;
   const DrawList* flightList_ = nullptr;
-  const DrawList* viewportList_ = nullptr;
-  const DrawList* columnList_ = nullptr;
-  Framebuffer column_;  // the picture in the column, drawn apart: the column clips it
+  const DrawList* filmList_ = nullptr;
   Rect flightRect_, filmRect_;
-  Vec2 flightCorner_{0.0};  // of its list's pixels, in the window
   int width_ = 0, height_ = 0;
 };
 

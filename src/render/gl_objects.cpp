@@ -37,12 +37,23 @@ class Shader {
   GLuint id_;
 };
 
+[[maybe_unused]] std::size_t bytesOf(int width, int height, TextureKind kind) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+         (kind == TextureKind::kCoverage ? 1 : 4);
+}
+
 }  // namespace
 
 void Buffer::upload(std::span<const std::byte> bytes, GLenum usage) {
   bind();
   handle_.gl().BufferData(target_, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
   size_ = bytes.size();
+}
+
+void Buffer::reserve(std::size_t size, GLenum usage) {
+  bind();
+  handle_.gl().BufferData(target_, static_cast<GLsizeiptr>(size), nullptr, usage);
+  size_ = size;
 }
 
 void Buffer::update(std::size_t offset, std::span<const std::byte> bytes) {
@@ -54,7 +65,7 @@ void Buffer::update(std::size_t offset, std::span<const std::byte> bytes) {
 
 tl::expected<Texture, std::string> Texture::create(const Gl& gl, int width, int height,
                                                    std::span<const std::uint8_t> pixels,
-                                                   TextureFilter filter) {
+                                                   TextureFilter filter, TextureKind kind) {
   const int limit = gl.limits.maxTextureSize;
   if (width < 1 || height < 1 || width > limit || height > limit) {
     return Failure(fmt::format(
@@ -63,31 +74,40 @@ tl::expected<Texture, std::string> Texture::create(const Gl& gl, int width, int 
   }
   Texture texture;
   texture.handle_ = TextureHandle(gl);
+  texture.kind_ = kind;
   texture.width_ = width;
   texture.height_ = height;
-  assert(pixels.empty() ||
-         pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  assert(pixels.empty() || pixels.size() == bytesOf(width, height, kind));
   gl.BindTexture(GL_TEXTURE_2D, texture.id());
   const GLint scaling = filter == TextureFilter::kLinear ? GL_LINEAR : GL_NEAREST;
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, scaling);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, scaling);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  const bool coverage = kind == TextureKind::kCoverage;
+  if (coverage) {
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_ONE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_G, GL_ONE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_B, GL_ONE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_RED);
+  }
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+  gl.TexImage2D(GL_TEXTURE_2D, 0, coverage ? GL_R8 : GL_RGBA8, width, height, 0,
+                coverage ? GL_RED : GL_RGBA, GL_UNSIGNED_BYTE,
                 pixels.empty() ? nullptr : pixels.data());
   if (const auto ok = checkGl(gl, "texture"); !ok) return Failure(ok.error());
   return texture;
 }
 
 void Texture::update(std::span<const std::uint8_t> pixels) {
-  assert(pixels.size() == static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
+  assert(pixels.size() == bytesOf(width_, height_, kind_));
   const Gl& gl = handle_.gl();
   gl.BindTexture(GL_TEXTURE_2D, id());
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE,
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_,
+                   kind_ == TextureKind::kCoverage ? GL_RED : GL_RGBA, GL_UNSIGNED_BYTE,
                    pixels.data());
 }
 

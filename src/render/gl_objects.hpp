@@ -62,6 +62,8 @@ class Buffer {
   void bind() const { handle_.gl().BindBuffer(target_, handle_.id()); }
   // Replaces all of it. `usage`: GL_STATIC_DRAW, GL_DYNAMIC_DRAW, GL_STREAM_DRAW. Leaves it bound.
   void upload(std::span<const std::byte> bytes, GLenum usage);
+  // Makes it `size` bytes long; they hold anything. Leaves it bound.
+  void reserve(std::size_t size, GLenum usage);
   // Replaces a part that lies inside what was uploaded (asserted). Leaves it bound.
   void update(std::size_t offset, std::span<const std::byte> bytes);
 
@@ -76,15 +78,20 @@ class Buffer {
 
 enum class TextureFilter { kNearest, kLinear };
 
-// A two-dimensional RGBA8 texture of plain sRGB bytes, clamped at its edges, without mipmaps.
+// kColour: four bytes a pixel, plain sRGB and alpha. kCoverage: one byte, the alpha of white.
+enum class TextureKind { kColour, kCoverage };
+
+// A two-dimensional texture, clamped at its edges, without mipmaps.
 class Texture {
  public:
   Texture() = default;
-  // `pixels`: width · height · 4 bytes, rows one after the other, row 0 at v = 0; or empty, which
-  // leaves the contents undefined. Error: a side that is not positive or beyond the GPU's limit.
+  // `pixels`: width · height · 4 bytes (kCoverage: · 1), rows one after the other, row 0 at v = 0;
+  // or empty, which leaves the contents undefined. Error: a side that is not positive or beyond the
+  // GPU's limit.
   static tl::expected<Texture, std::string> create(const Gl& gl, int width, int height,
                                                    std::span<const std::uint8_t> pixels,
-                                                   TextureFilter filter = TextureFilter::kLinear);
+                                                   TextureFilter filter = TextureFilter::kLinear,
+                                                   TextureKind kind = TextureKind::kColour);
 
   // Replaces all pixels; the size stays. `pixels` as in create, not empty.
   void update(std::span<const std::uint8_t> pixels);
@@ -96,6 +103,7 @@ class Texture {
 
  private:
   TextureHandle handle_;
+  TextureKind kind_ = TextureKind::kColour;
   int width_ = 0;
   int height_ = 0;
 };

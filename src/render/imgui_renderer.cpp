@@ -126,10 +126,14 @@ tl::expected<void, std::string> ImguiRenderer::uploadFonts(ImFontAtlas& atlas) {
   unsigned char* pixels = nullptr;
   int width = 0;
   int height = 0;
-  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-  auto texture = Texture::create(
-      *gl_, width, height,
-      {pixels, static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4});
+  if (!atlas.IsBuilt()) atlas.Build();
+  const bool colours = atlas.TexPixelsUseColors;
+  colours ? atlas.GetTexDataAsRGBA32(&pixels, &width, &height)
+          : atlas.GetTexDataAsAlpha8(&pixels, &width, &height);
+  const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  auto texture = Texture::create(*gl_, width, height, {pixels, colours ? 4 * count : count},
+                                 TextureFilter::kLinear,
+                                 colours ? TextureKind::kColour : TextureKind::kCoverage);
   if (!texture) return Failure("fonts: " + texture.error());
   fonts_ = std::move(*texture);
   atlas.SetTexID(imguiTexture(fonts_.id()));

@@ -2,6 +2,7 @@
 // Uploads geometry once and finds it again.
 #include "render/scene_buffers.hpp"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -10,6 +11,14 @@ namespace {
 
 // More would hold memory for nothing.
 constexpr std::size_t kMostSpare = 32;
+
+// Some more than `bytes`. Mesa's llvmpipe compiles the vertex shaders anew for buffers whose size
+// is a power of two, and for those whose size has no bit set in its second byte: none of ours is
+// either.
+std::size_t roomFor(std::size_t bytes) {
+  constexpr std::size_t kStep = 1024;
+  return std::max<std::size_t>(1, (bytes + kStep / 2 - 1) / kStep) * kStep + kStep / 2;
+}
 
 }  // namespace
 
@@ -29,7 +38,8 @@ void SceneBuffers::bind(const SharedGeometry& geometry) {
 
   entry.geometry = geometry;
   const auto bytes = std::as_bytes(std::span(geometry->points));
-  texels.buffer.upload(bytes, GL_STATIC_DRAW);
+  texels.buffer.reserve(roomFor(bytes.size()), GL_STATIC_DRAW);
+  texels.buffer.update(0, bytes);
   if (fresh) gl_->TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, texels.buffer.id());
   ++uploads_;
   uploadedBytes_ += bytes.size();

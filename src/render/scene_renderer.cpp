@@ -21,6 +21,8 @@ constexpr float kHides = 0.5f;
 // With more than this, what is hidden is left out instead of shining through the edges of what
 // hides it.
 constexpr std::size_t kMostLayered = 3000;
+// Of those that OpenGL 3.3 promises; the interface around the picture uses some.
+constexpr GLenum kMostClipPlanes = 8;
 // The depth between two lifts, in clip units: some steps of a 24-bit depth buffer.
 constexpr float kLiftStep = 4.0e-6f;
 
@@ -45,6 +47,12 @@ PixelBox pixelBox(const PixelRectangle& r, int width, int height) {
   return {left, height - bottom, right - left, bottom - top};
 }
 
+PixelBox common(const PixelBox& a, const PixelBox& b) {
+  const GLint x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+  return {x, y, std::max(0, std::min(a.x + a.width, b.x + b.width) - x),
+          std::max(0, std::min(a.y + a.height, b.y + b.height) - y)};
+}
+
 // What all shaders are told once a list, and what they are told for each item.
 struct Uniforms {
   GLint toClip, rectangle, target, depthPlane, nearest, ground;
@@ -57,7 +65,8 @@ struct SceneRenderer::Parts {
   explicit Parts(const Gl& table) : gl(table), buffers(table), vertexArray(table) {}
 
   tl::expected<void, std::string> build();
-  void clearGround(const DrawList& list, const PixelBox& box);
+  void drawGround(const DrawList& list, const PixelBox& box, const PixelBox& outer);
+  void fillBox(const PixelBox& box, const Colour& colour);
   void drawPass(const DrawList& list, Pass pass, bool layered);
   void drawItem(const DrawItem& item, Pass pass);
   void drawLines(const DrawItem& item, const LineStyle& style);
@@ -69,6 +78,9 @@ struct SceneRenderer::Parts {
   const Gl& gl;
   SceneBuffers buffers;
   VertexArray vertexArray;  // without attributes: the shaders fetch the points
+  // One triangle over all of the framebuffer, in clip space.
+  SharedGeometry all = std::make_shared<const Geometry>(
+      Geometry{Primitive::kTriangles, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}}});
   ShaderProgram line, marker, fill;
   Uniforms lineUniforms{}, markerUniforms{}, fillUniforms{};
   GLint lineHalfWidth = -1, lineDash = -1, lineJoined = -1;
@@ -119,6 +131,16 @@ GLenum depthFunction(Pass pass, bool layered) {
     default:
       return GL_LESS;
   }
+}
+
+bool isSurface(const DrawItem& item) {
+  return item.geometry && item.geometry->primitive == Primitive::kTriangles;
+}
+
+bool hasSurfaces(const DrawList& list) {
+  return std::any_of(list.items.begin(), list.items.end(), [](const DrawItem& item) {
+    return isSurface(item) && item.depth == DrawDepth::kTested;
+  });
 }
 
 bool inPass(const DrawItem& item, Pass pass) {
@@ -178,9 +200,37 @@ void SceneRenderer::Parts::setUp(const DrawList& list, int width, int height) {
   programInUse = 0;
 }
 
-// A clear for each band of rows of one colour: much cheaper than a surface, and as smooth, for the
-// bands differ by one step of the channel that changes most.
-void SceneRenderer::Parts::clearGround(const DrawList& list, const PixelBox& box) {
+void SceneRenderer::Parts::fillBox(const PixelBox& box, const Colour& colour) {
+  gl.Scissor(box.x, box.y, box.width, box.height);
+  gl.Uniform4fv(fillUniforms.colour, 1, glm::value_ptr(toVector(colour)));
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// The bars, then the ground: for each band of rows of one colour the scissor's part of a triangle
+// over everything. Bands differ by one step of the channel that changes most: as smooth as a
+// gradient. This resets depth and stencil, too. (Software drivers clear parts of a framebuffer in
+// the same way, but with shaders that are made for it first.)
+void SceneRenderer::Parts::drawGround(const DrawList& list, const PixelBox& box,
+                                      const PixelBox& outer) {
+  const glm::vec4 whole(0.0f, 0.0f, target);
+  const glm::mat4 asItIs(1.0f);
+  fill.use();
+  programInUse = 0;
+  gl.Uniform4fv(fillUniforms.rectangle, 1, glm::value_ptr(whole));
+  gl.Uniform2fv(fillUniforms.target, 1, glm::value_ptr(target));
+  gl.UniformMatrix4fv(fillUniforms.toClip, 1, GL_FALSE, glm::value_ptr(asItIs));
+  gl.Uniform1i(fillUniforms.first, 0);
+  gl.Uniform1f(fillUniforms.fade, 0.0f);
+  gl.Uniform1f(fillUniforms.lift, 0.0f);
+  buffers.bind(all);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_ALWAYS);
+  gl.DepthMask(GL_TRUE);
+  gl.Enable(GL_STENCIL_TEST);
+  gl.StencilMask(0xff);
+  gl.StencilFunc(GL_ALWAYS, 0, 0xff);
+  gl.StencilOp(GL_REPLACE, GL_REPLACE, GL_REPLACE);
+  if (list.outer) fillBox(outer, list.bars);
   const PixelRectangle& r = list.view.pixels();
   const Colour &top = list.groundTop, &bottom = list.groundBottom;
   const int steps = std::max({std::abs(top.red - bottom.red), std::abs(top.green - bottom.green),
@@ -193,10 +243,7 @@ void SceneRenderer::Parts::clearGround(const DrawList& list, const PixelBox& box
     const Colour band = colourOf(row);
     GLint end = row + 1;
     while (end < box.y + box.height && colourOf(end) == band) ++end;
-    const glm::vec4 c = toVector(band);
-    gl.Scissor(box.x, row, box.width, end - row);
-    gl.ClearColor(c.r, c.g, c.b, 1.0f);
-    gl.Clear(GL_COLOR_BUFFER_BIT);
+    fillBox({box.x, row, box.width, end - row}, band);
     row = end;
   }
   gl.Scissor(box.x, box.y, box.width, box.height);
@@ -263,7 +310,7 @@ void SceneRenderer::Parts::drawItem(const DrawItem& whole, Pass pass) {
   item.count = std::min(item.count, elements - item.first);
   if (item.count == 0) return;
   // Surfaces are drawn with the first pass, opaque.
-  const bool surface = item.geometry->primitive == Primitive::kTriangles;
+  const bool surface = isSurface(item);
   if (surface && pass != Pass::kHiding && pass != Pass::kOnTop) return;
 
   buffers.bind(item.geometry);
@@ -306,43 +353,32 @@ SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
 const SceneRenderer::Statistics& SceneRenderer::statistics() const { return parts_->statistics; }
 
-void SceneRenderer::draw(const DrawList& list, int width, int height) {
+void SceneRenderer::draw(const DrawList& list, int width, int height,
+                         const std::optional<PixelRectangle>& clip) {
   Parts& p = *parts_;
   const Gl& gl = p.gl;
   p.statistics = {};
   p.buffers.resetCounts();
+  const PixelBox seen = clip ? pixelBox(*clip, width, height) : PixelBox{0, 0, width, height};
+  const PixelBox box = common(pixelBox(list.view.pixels(), width, height), seen);
+  const PixelBox outer = list.outer ? common(pixelBox(*list.outer, width, height), seen) : box;
   p.setUp(list, width, height);
 
   gl.Viewport(0, 0, width, height);
   gl.Disable(GL_CULL_FACE);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.Disable(GL_STENCIL_TEST);
+  for (GLenum i = 0; i < kMostClipPlanes; ++i) gl.Disable(GL_CLIP_DISTANCE0 + i);
   gl.Disable(GL_BLEND);
   gl.Enable(GL_SCISSOR_TEST);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.BindVertexArray(p.vertexArray.id());
   gl.ActiveTexture(GL_TEXTURE0);
-  if (list.outer) {
-    const PixelBox box = pixelBox(*list.outer, width, height);
-    const glm::vec4 c = toVector(list.bars);
-    gl.Scissor(box.x, box.y, box.width, box.height);
-    gl.ClearColor(c.r, c.g, c.b, 1.0f);
-    gl.Clear(GL_COLOR_BUFFER_BIT);
-  }
-  const PixelBox box = pixelBox(list.view.pixels(), width, height);
-  gl.Scissor(box.x, box.y, box.width, box.height);
-  gl.DepthMask(GL_TRUE);
-  gl.StencilMask(0xff);
-  gl.ClearDepth(1.0);
-  gl.ClearStencil(0);
-  gl.Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  p.clearGround(list, box);
+  p.drawGround(list, box, outer);
 
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl.Enable(GL_DEPTH_TEST);
-  gl.Enable(GL_STENCIL_TEST);
+  // The stencil tells surfaces from lines.
+  if (!hasSurfaces(list)) gl.Disable(GL_STENCIL_TEST);
   gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   p.drawPass(list, Pass::kHiding, true);
   const bool layered = p.statistics.elements <= kMostLayered;
@@ -354,6 +390,7 @@ void SceneRenderer::draw(const DrawList& list, int width, int height) {
   gl.Disable(GL_STENCIL_TEST);
   p.drawPass(list, Pass::kOnTop, layered);
 
+  gl.Disable(GL_DEPTH_TEST);
   gl.Disable(GL_BLEND);
   gl.Disable(GL_SCISSOR_TEST);
   gl.DepthMask(GL_TRUE);

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -29,10 +30,11 @@ class SceneRenderer {
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
   // Draws into the list's rectangle of the bound framebuffer, which has depth and stencil and is
-  // `width` × `height` pixels; nothing outside the rectangle changes. Clears depth there. Leaves
-  // the viewport the whole framebuffer, and all tests, blending and scissor off, no program and no
-  // vertex array bound.
-  void draw(const DrawList& list, int width, int height);
+  // `width` × `height` pixels; nothing outside the rectangle changes, nor outside `clip`, if there
+  // is one (pixels, y down). Clears depth there. Leaves the viewport the whole framebuffer, and all
+  // tests, blending and scissor off, no program and no vertex array bound.
+  void draw(const DrawList& list, int width, int height,
+            const std::optional<PixelRectangle>& clip = std::nullopt);
 
   // Of the last draw(): for tests and measurements.
   struct Statistics {
