@@ -358,7 +358,6 @@ void SceneRenderer::draw(const DrawList& list, int width, int height,
   Parts& p = *parts_;
   const Gl& gl = p.gl;
   p.statistics = {};
-  p.buffers.resetCounts();
   const PixelBox seen = clip ? pixelBox(*clip, width, height) : PixelBox{0, 0, width, height};
   const PixelBox box = common(pixelBox(list.view.pixels(), width, height), seen);
   const PixelBox outer = list.outer ? common(pixelBox(*list.outer, width, height), seen) : box;
@@ -373,6 +372,7 @@ void SceneRenderer::draw(const DrawList& list, int width, int height,
   gl.BindVertexArray(p.vertexArray.id());
   gl.ActiveTexture(GL_TEXTURE0);
   p.drawGround(list, box, outer);
+  p.buffers.resetCounts();  // the list's own
 
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_FUNC_ADD);

@@ -263,6 +263,25 @@ TEST(Editor, SamePixelsTwice) {
   EXPECT_EQ(a.player->picture().value(), b.player->picture().value());
 }
 
+// Nobody sees a window that fills only with its second picture, or that blinks when it changes.
+TEST(Editor, EachPictureIsWhole) {
+  Stage one = stage({1280, 800}, 1.0);
+  const std::string file = std::string(VIDES_SOURCE_DIR) + "/assets/flights/pyramid.vid";
+  ASSERT_TRUE(one.player->editor().run(Command("open", file)));
+  const auto settled = [&] {
+    for (int i = 0; i < 5; ++i) one.player->frame();
+    return one.player->picture().value();
+  };
+  one.player->frame();
+  const Picture first = one.player->picture().value();
+  EXPECT_EQ(first, settled());
+  ASSERT_TRUE(one.host->resize({1280, 800}, 1.5));  // other columns, other pictures in them
+  one.player->frame();
+  const Picture changed = one.player->picture().value();
+  EXPECT_NE(changed, first);
+  EXPECT_EQ(changed, settled());
+}
+
 TEST(Editor, BearsEverySizeAndScale) {
   Stage one = stage({1280, 800}, 1.0);
   openPyramid(*one.player);

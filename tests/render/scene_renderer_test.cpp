@@ -307,6 +307,52 @@ TEST_F(SceneRendererTest, NothingOutsideTheRectangleChanges) {
   EXPECT_LT(picture.pixel(22, 49)[0], 10);
 }
 
+// As for a picture in a column that is scrolled.
+TEST_F(SceneRendererTest, NothingOutsideTheClipChanges) {
+  DrawList whole = blackList();
+  whole.groundTop = whole.groundBottom = kGreen;
+  DrawList part = blackList({20, 10, 50, 40});
+  part.groundTop = part.groundBottom = kRed;
+  part.outer = PixelRectangle{15, 5, 60, 50};
+  part.bars = kWhite;
+  part.items.push_back(pixelItem(
+      geometry(Primitive::kSegments, {geometryPoint(Vec2{0, 0}), geometryPoint(Vec2{100, 80})}),
+      LineStyle{kWhite, 20.0f}));
+  const Picture all = painter_.paint(whole, part);
+  const Picture some = painter_.paint(whole, part, PixelRectangle{10, 30, 40, 100});
+  const Picture none = painter_.paint(whole, part, PixelRectangle{80, 70, 10, 10});
+  const Picture before = painter_.paint(whole);
+  EXPECT_EQ(none, before);
+  EXPECT_NE(all.pixel(16, 29)[0], before.pixel(16, 29)[0]);
+  for (int y = 0; y < 80; ++y) {
+    for (int x = 0; x < 100; ++x) {
+      const Picture& expected = x >= 10 && x < 50 && y >= 30 ? all : before;
+      for (int c = 0; c < 4; ++c) {
+        ASSERT_EQ(some.pixel(x, y)[c], expected.pixel(x, y)[c]) << x << ", " << y;
+      }
+    }
+  }
+}
+
+// Buffers of any size, each beside those of other sizes: an element more or less draws the same.
+TEST_F(SceneRendererTest, BuffersOfEverySizeDrawTheSame) {
+  DrawList list = blackList();
+  const auto picture = [&](std::size_t points) {
+    std::vector<GeometryPoint> places(points, geometryPoint(Vec3{50, 50, 50}));
+    places.front() = geometryPoint(Vec3{0.1, 0.2, 0});
+    DrawItem item;
+    item.geometry = geometry(Primitive::kMarkers, std::move(places));
+    item.style = MarkerStyle{MarkerShape::kDisc, kWhite};
+    list.items = {item};
+    return painter_.paint(list);
+  };
+  const Picture one = picture(1);
+  EXPECT_NE(one, painter_.paint(blackList()));
+  for (const std::size_t points : {31u, 32u, 33u, 63u, 64u, 95u, 96u, 97u, 4095u, 4096u, 65536u}) {
+    EXPECT_EQ(picture(points), one) << points;
+  }
+}
+
 TEST_F(SceneRendererTest, UploadsOnlyWhatIsNew) {
   DrawList list = blackList();
   DrawItem item;

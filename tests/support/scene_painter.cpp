@@ -27,10 +27,11 @@ Picture ScenePainter::paint(const DrawList& list) {
   return finish();
 }
 
-Picture ScenePainter::paint(const DrawList& first, const DrawList& second) {
+Picture ScenePainter::paint(const DrawList& first, const DrawList& second,
+                            const std::optional<PixelRectangle>& clipOfSecond) {
   host_->beginDrawing();
   renderer_->draw(first, host_->size().width, host_->size().height);
-  renderer_->draw(second, host_->size().width, host_->size().height);
+  renderer_->draw(second, host_->size().width, host_->size().height, clipOfSecond);
   return finish();
 }
 

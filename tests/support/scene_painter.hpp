@@ -18,7 +18,8 @@ class ScenePainter {
   explicit ScenePainter(PixelSize size, OffscreenKind kind = OffscreenKind::kOsmesa);
   Picture paint(const DrawList& list);
   // Several lists into one picture.
-  Picture paint(const DrawList& first, const DrawList& second);
+  Picture paint(const DrawList& first, const DrawList& second,
+                const std::optional<PixelRectangle>& clipOfSecond = std::nullopt);
   const SceneRenderer::Statistics& statistics() const { return renderer_->statistics(); }
   Host& host() { return *host_; }
   SceneRenderer& renderer() { return *renderer_; }
