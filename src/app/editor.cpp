@@ -311,6 +311,7 @@ Session& Editor::session() { return parts_->session; }
 const Session& Editor::session() const { return parts_->session; }
 const WidgetRegistry& Editor::widgets() const { return parts_->registry; }
 Rect Editor::viewport() const { return parts_->pictures->flightRect(); }
+bool Editor::overPicture() const { return parts_->overViewport || parts_->overCamera; }
 Layout Editor::layout() const { return parts_->session.layout(); }
 void Editor::setLayout(const Layout& layout) { parts_->session.setLayout(layout); }
 std::int64_t Editor::framesDrawn() const { return parts_->framesDrawn; }

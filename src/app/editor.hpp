@@ -87,6 +87,8 @@ class Editor {
   double contentScale() const;
   // Where the viewport's picture is.
   Rect viewport() const;
+  // Whether the pointer is over one of the two pictures, where the wheel doesn't scroll.
+  bool overPicture() const;
   Layout layout() const;
   void setLayout(const Layout& layout);
   // Display frames drawn so far.

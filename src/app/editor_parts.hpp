@@ -104,7 +104,9 @@ struct Editor::Parts {
   Ui::Setting uiSetting();
   void window(Ui& ui, Actions& actions);
   void arrange(Ui& ui, const Rect& all, Actions& actions);
-  void leftColumn(Ui& ui, const Rect& rect, Actions& actions);
+  void leftColumn(Ui& ui, const Rect& rect, bool both, Actions& actions);
+  void leftPanels(Ui& ui, Stack& column, Actions& actions);
+  void rightPanels(Ui& ui, Stack& column, Actions& actions);
   void rightColumn(Ui& ui, const Rect& rect, Actions& actions);
   void viewportText(Ui& ui, const Rect& rect);
   void filmText(Ui& ui, const Rect& rect);
@@ -114,7 +116,7 @@ struct Editor::Parts {
   void pointerNote(Ui& ui, const std::string& told, const Vec2& at, bool refusal);
   void viewportArea(Ui& ui, const Rect& rect, Actions& actions);
   void splitters(Ui& ui, const Rect& all, const Rect& left, const Rect& right,
-                 const Rect& timelineRect, Actions& actions);
+                 const Rect& timelineRect, bool both, Actions& actions);
   ViewportState viewportState() const;
 };
 

@@ -19,6 +19,9 @@ namespace {
 // At content scale 1.
 constexpr float kMenuHeight = 28.0f;
 constexpr float kLeastViewport = 160.0f;
+// What the columns' contents can do with. Where there isn't as much, one column holds both.
+constexpr float kLeastLeft = 240.0f;
+constexpr float kLeastRight = 216.0f;
 constexpr float kSplitter = 6.0f;
 
 // A region of the window with a scroll bar where it is too low for what it holds.
@@ -48,6 +51,25 @@ float timelineHeight(const Ui& ui, const Layout& layout, float height) {
   if (layout.timeline != Layout().timeline) return std::min(wanted, height * 0.5f);
   const float low = std::max(ui.px(kLeast), std::round(height * kShare));
   return std::min({wanted, low, height * 0.5f});
+}
+
+// Pixels that the columns take. Where there is no room for both, the left one holds the right one's
+// panels, too.
+struct ColumnWidths {
+  float left = 0.0f, right = 0.0f;
+  bool both = false;
+};
+ColumnWidths columnWidths(const Ui& ui, const Layout& layout, float width) {
+  const float left = layout.leftShown ? ui.px(layout.left) : 0.0f;
+  const float right = layout.rightShown ? ui.px(layout.right) : 0.0f;
+  const float spare = std::max(0.0f, width - ui.px(kLeastViewport));
+  const float least = std::min(left, ui.px(kLeastLeft)) + std::min(right, ui.px(kLeastRight));
+  if (left > 0.0f && right > 0.0f && spare < least) {
+    const float half = std::max(ui.px(kLeastLeft), std::floor(width / 2.0f));
+    return {std::min({left, half, width}), 0.0f, true};
+  }
+  const float share = std::min(1.0f, spare / std::max(1.0f, left + right));
+  return {std::floor(left * share), std::floor(right * share), false};
 }
 
 Rect below(const Rect& rect, float height) {
@@ -81,34 +103,43 @@ ViewportState Editor::Parts::viewportState() const {
   return state;
 }
 
-void Editor::Parts::leftColumn(Ui& ui, const Rect& rect, Actions& actions) {
+void Editor::Parts::leftColumn(Ui& ui, const Rect& rect, bool both, Actions& actions) {
   region("###left", rect, [&](const Rect& room) {
     const float pad = ui.px(8);
     Stack column(ui, room.x + pad, room.y + pad, rect.width - 2 * pad);
-    positionPanel(ui, column, session, actions);
-    orientationPanel(ui, column, session, actions);
-    speedPanel(ui, column, session, actions);
-    zoomPanel(ui, column, session, actions);
+    leftPanels(ui, column, actions);
+    if (both) rightPanels(ui, column, actions);
     endStack(column, room.y);
   });
+}
+
+void Editor::Parts::leftPanels(Ui& ui, Stack& column, Actions& actions) {
+  positionPanel(ui, column, session, actions);
+  orientationPanel(ui, column, session, actions);
+  speedPanel(ui, column, session, actions);
+  zoomPanel(ui, column, session, actions);
 }
 
 void Editor::Parts::rightColumn(Ui& ui, const Rect& rect, Actions& actions) {
   region("###right", rect, [&](const Rect& room) {
     const float pad = ui.px(8);
     Stack column(ui, room.x + pad, room.y + pad, rect.width - 2 * pad);
-    const Rect picture = cameraPanel(ui, column, session, actions);
-    const bool film = !session.view().swapped;
-    pictureArea(ui, picture, film, true);
-    const SharedScene scene = scenes.of(session.flight(), session.path(), [&](const auto& why) {
-      session.say(MessageKind::kError, Text("error.scene", {why}));
-    });
-    pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, scene, viewportState());
-    if (film && session.freeCamera()) freeViewSign(ui, picture);
-    spherePanel(ui, column, session, graphs, actions);
-    measuresPanel(ui, column, session, graphs);
+    rightPanels(ui, column, actions);
     endStack(column, room.y);
   });
+}
+
+void Editor::Parts::rightPanels(Ui& ui, Stack& column, Actions& actions) {
+  const Rect picture = cameraPanel(ui, column, session, actions);
+  const bool film = !session.view().swapped;
+  pictureArea(ui, picture, film, true);
+  const SharedScene scene = scenes.of(session.flight(), session.path(), [&](const auto& why) {
+    session.say(MessageKind::kError, Text("error.scene", {why}));
+  });
+  pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, scene, viewportState());
+  if (film && session.freeCamera()) freeViewSign(ui, picture);
+  spherePanel(ui, column, session, graphs, actions);
+  measuresPanel(ui, column, session, graphs);
 }
 
 // What the pointer can do here, what it can't, and the box that it draws: over all, since the
@@ -159,7 +190,7 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
     pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, scene, viewportState());
     if (session.layout().bare) return;
     const bool film = session.view().swapped;
-    if (!film && session.display().sliders) {
+    if (!film && session.display().sliders && roomForSliders(ui, rect)) {
       if (const auto next = viewportSliders(ui, rect, session)) actions.view = next;
     }
     film ? filmText(ui, rect) : viewportText(ui, rect);
@@ -183,8 +214,8 @@ void Editor::Parts::viewportText(Ui& ui, const Rect& rect) {
                              ui.number(view.tilt, 0) + "\u00b0";
   // As much of it as there is room for beside the slider.
   const float left = rect.x + ui.px(14);
-  const float right =
-      session.display().sliders ? sizeSliderPlace(ui, rect).x - ui.px(8) : rect.right() - ui.px(14);
+  const bool sliders = session.display().sliders && roomForSliders(ui, rect);
+  const float right = sliders ? sizeSliderPlace(ui, rect).x - ui.px(8) : rect.right() - ui.px(14);
   for (const std::string& label : {name + " \u00b7 " + angles, angles, name}) {
     const float width = ui.textWidth(label);
     if (left + width > right) continue;
@@ -219,7 +250,7 @@ void Editor::Parts::freeViewSign(Ui& ui, const Rect& rect) {
 }
 
 void Editor::Parts::splitters(Ui& ui, const Rect& all, const Rect& left, const Rect& right,
-                              const Rect& timelineRect, Actions& actions) {
+                              const Rect& timelineRect, bool both, Actions& actions) {
   const float thick = ui.px(kSplitter);
   const Layout& layout = session.layout();
   Layout next = layout;
@@ -237,8 +268,10 @@ void Editor::Parts::splitters(Ui& ui, const Rect& all, const Rect& left, const R
   const float height = timelineRect.y - all.y;
   change("view/left_splitter", {left.right() - thick / 2, all.y, thick, height}, true, next.left,
          next.leftShown, 1.0f, kColumnWidth);
-  change("view/right_splitter", {right.x - thick / 2, all.y, thick, height}, true, next.right,
-         next.rightShown, -1.0f, kColumnWidth);
+  if (!both) {
+    change("view/right_splitter", {right.x - thick / 2, all.y, thick, height}, true, next.right,
+           next.rightShown, -1.0f, kColumnWidth);
+  }
   // From the height that is seen, which a low window makes less.
   const float seen = timelineRect.height / ui.scale();
   float timelineNow = seen;
@@ -264,15 +297,16 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
                    ImGuiWindowFlags_NoSavedSettings |
                    (session.layout().bare ? 0 : ImGuiWindowFlags_MenuBar) |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+  float top = menu;
   if (!session.layout().bare) {
-    menuBar(ui, session, session.layout(), actions);
+    top += menuBar(ui, session, session.layout(), actions);
   }
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
   if (session.layout().bare) {
     viewportArea(ui, {0.0f, 0.0f, size.x, size.y}, actions);
   } else {
-    arrange(ui, below({0.0f, 0.0f, size.x, size.y}, menu), actions);
+    arrange(ui, below({0.0f, 0.0f, size.x, size.y}, top), actions);
   }
   ImGui::End();
   if (session.layout().bare) return;
@@ -285,21 +319,17 @@ void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {
   // What is too large for the window gives way: columns before the viewport.
   const float bar = layout.timelineShown ? timelineHeight(ui, layout, all.height) : 0.0f;
   const Rect timelineRect{all.x, all.bottom() - bar, all.width, bar};
-  const float spare = std::max(0.0f, all.width - ui.px(kLeastViewport));
-  const float wantedLeft = layout.leftShown ? ui.px(layout.left) : 0.0f;
-  const float wantedRight = layout.rightShown ? ui.px(layout.right) : 0.0f;
-  const float share = std::min(1.0f, spare / std::max(1.0f, wantedLeft + wantedRight));
   const float middle = all.height - bar;
-  const Rect left{all.x, all.y, std::floor(wantedLeft * share), middle};
-  const float rightWidth = std::floor(wantedRight * share);
-  const Rect right{all.right() - rightWidth, all.y, rightWidth, middle};
+  const ColumnWidths widths = columnWidths(ui, layout, all.width);
+  const Rect left{all.x, all.y, widths.left, middle};
+  const Rect right{all.right() - widths.right, all.y, widths.right, middle};
   const Rect view{left.right(), all.y, std::max(0.0f, right.x - left.right()), middle};
 
   ui.fill(left, ColourRole::kColumn);
   ui.fill(right, ColourRole::kColumn);
   ui.fill(timelineRect, ColourRole::kColumn);
   if (!view.empty()) viewportArea(ui, view, actions);
-  if (!left.empty()) leftColumn(ui, left, actions);
+  if (!left.empty()) leftColumn(ui, left, widths.both, actions);
   if (!right.empty()) rightColumn(ui, right, actions);
   if (!timelineRect.empty()) {
     region("###timeline", timelineRect, [&](const Rect&) {
@@ -308,9 +338,10 @@ void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {
   }
   const float line = std::max(1.0f, ui.px(1));
   ui.fill({left.right(), all.y, layout.leftShown ? line : 0.0f, middle}, ColourRole::kWindow);
-  ui.fill({right.x - line, all.y, layout.rightShown ? line : 0.0f, middle}, ColourRole::kWindow);
+  ui.fill({right.x - line, all.y, layout.rightShown && !widths.both ? line : 0.0f, middle},
+          ColourRole::kWindow);
   ui.fill({all.x, timelineRect.y, all.width, bar > 0.0f ? line : 0.0f}, ColourRole::kWindow);
-  splitters(ui, all, left, right, timelineRect, actions);
+  splitters(ui, all, left, right, timelineRect, widths.both, actions);
 }
 
 }  // namespace vides

@@ -193,7 +193,11 @@ void keys(Ui& ui, ChooserMemory& memory, Actions& actions) {
 }
 
 void places(Ui& ui, const Rect& row, const Session& session, ChooserMemory& memory) {
-  const std::vector<Rect> boxes = split(ui, row, 5);
+  constexpr const char* kIds[] = {"chooser/up", "chooser/home", "chooser/current", "chooser/flight",
+                                  "chooser/new_folder"};
+  std::vector<std::string> labels;
+  for (const char* id : kIds) labels.push_back(ui.words(id));
+  const std::vector<Rect> boxes = splitFor(ui, row, labels);
   std::error_code error;
   const fs::path flight =
       session.path().empty() ? fs::path() : fs::absolute(session.path(), error).parent_path();
@@ -371,7 +375,8 @@ void chooser(Ui& ui, const Session& session, ChooserMemory& memory, Actions& act
   if (!asked && !memory.questionWas && !typing) keys(ui, memory, actions);
   memory.questionWas = asked;
   const WindowFrame frame{"###chooser", 680.0f, 520.0f, ui.words(kindOf(memory).heading),
-                          !asked,       true};
+                          !asked,       true,   false,  480.0f,
+                          280.0f};
   windowFrame(ui, frame, [&](const Rect& room) {
     Stack rows(ui, room.x, room.y, room.width);
     places(ui, rows.row(kRow), session, memory);

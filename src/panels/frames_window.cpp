@@ -110,7 +110,7 @@ void buttons(Ui& ui, const Rect& row, const Session& session, Actions& actions) 
 }  // namespace
 
 void framesWindow(Ui& ui, const Session& session, WindowPlace& windowPlace, Actions& actions) {
-  const FloatingFrame frame{"frames", 520.0f, 300.0f, ui.words("frames/heading")};
+  const FloatingFrame frame{"frames", 520.0f, 300.0f, ui.words("frames/heading"), {}, {}, 480.0f};
   const bool open = floatingFrame(ui, frame, windowPlace, [&](const Rect& room) {
     const FrameOptions& options = session.frameOutput().options;
     Form form(ui, room, 128.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of shortcuts and of the mouse's ways, in three columns.
+// The list of shortcuts and of the mouse's ways, in up to three columns.
 #include "panels/help_window.hpp"
 
 #include <algorithm>
@@ -12,7 +12,9 @@
 namespace vides {
 namespace {
 
-constexpr int kColumns = 3;
+constexpr int kMostColumns = 3;
+constexpr float kColumn = 290.0f;
+constexpr float kBetweenColumns = 24.0f;
 constexpr float kRow = 18.0f;
 constexpr float kBetween = 9.0f;  // groups
 constexpr float kButton = 26.0f;
@@ -60,7 +62,7 @@ std::vector<Group> allGroups(const Ui& ui, const Texts& texts) {
 
 // Which column each group stands in, in their order, so that the longest column is as short as can
 // be: the least height that the groups fit in one after the other.
-std::vector<int> columnsOf(const std::vector<Group>& groups, float& height) {
+std::vector<int> columnsOf(const std::vector<Group>& groups, int count, float& height) {
   for (float most = kRow;; most += 1.0f) {
     std::vector<int> columns;
     int column = 0;
@@ -71,10 +73,10 @@ std::vector<int> columnsOf(const std::vector<Group>& groups, float& height) {
         used = 0.0f;
       }
       used += group.height();
-      if (used > most) column = kColumns;  // not even alone
+      if (used > most) column = count;  // not even alone
       columns.push_back(column);
     }
-    if (column >= kColumns) continue;
+    if (column >= count) continue;
     height = most;
     return columns;
   }
@@ -95,14 +97,19 @@ void drawGroup(Ui& ui, const Group& group, Rect row) {
 
 void helpWindow(Ui& ui, const Session& session, const Texts& texts, Actions& actions) {
   const std::vector<Group> groups = allGroups(ui, texts);
+  const auto widthOf = [](int columns) {
+    return static_cast<float>(columns) * (kColumn + kBetweenColumns) - kBetweenColumns + 32.0f;
+  };
+  int count = kMostColumns;
+  while (count > 1 && ui.px(widthOf(count)) > ImGui::GetIO().DisplaySize.x) --count;
   float height = 0.0f;
-  const std::vector<int> columns = columnsOf(groups, height);
+  const std::vector<int> columns = columnsOf(groups, count, height);
   const bool top = !session.question() && session.windows().back() == "shortcuts";
-  const WindowFrame frame{"###shortcuts", 952.0f, height + 64.0f + kButton,
+  const WindowFrame frame{"###shortcuts", widthOf(count), height + 64.0f + kButton,
                           ui.words("menu/help/shortcuts"), top};
   windowFrame(ui, frame, [&](const Rect& room) {
-    const std::vector<Rect> places = split(ui, room, kColumns, 24.0f);
-    std::vector<float> y(kColumns, room.y);
+    const std::vector<Rect> places = split(ui, room, count, kBetweenColumns);
+    std::vector<float> y(places.size(), room.y);
     for (std::size_t i = 0; i < groups.size(); ++i) {
       const auto column = static_cast<std::size_t>(columns[i]);
       drawGroup(ui, groups[i], {places[column].x, y[column], places[column].width, ui.px(kRow)});

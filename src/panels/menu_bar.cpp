@@ -10,6 +10,8 @@
 namespace vides {
 namespace {
 
+constexpr float kLeastOutput = 320.0f;
+
 // A tick stands before what is on.
 bool ticked(std::string_view id, const Session& session, const Layout& layout) {
   const EditorView& view = session.view().view;
@@ -106,28 +108,45 @@ void entries(Ui& ui, const Menu& menu, const Session& session, const Layout& lay
   }
 }
 
-void outputLine(Ui& ui, const Rect& bar, const Session& session) {
+// The file's name at the right of the bar; the output line before it, or in a row of its own.
+void outputLine(Ui& ui, const Rect& bar, const Rect& row, const Session& session) {
   const float pad = ui.px(12);
   // The file's name and whether it is saved; the window's title says so in words of its own.
   const std::string& path = session.path();
   const std::string file = path.substr(path.rfind('/') + 1);
   const std::string title =
       (file.empty() ? ui.words("title.untitled") : file) + (session.modified() ? " \u2022" : "");
-  const float titleWidth = std::min(ui.textWidth(title, Weight::kSemibold), bar.width * 0.4f);
+  const bool own = !row.empty();
+  const float most = own ? bar.width - 2 * pad : bar.width * 0.4f;
+  const float titleWidth = std::min(ui.textWidth(title, Weight::kSemibold), std::max(0.0f, most));
   const Rect titleBox{bar.right() - pad - titleWidth, bar.y, titleWidth, bar.height};
   ui.text(titleBox, title,
           {.weight = Weight::kSemibold, .align = Align::kRight, .mayShorten = true});
   const OutputLine output = session.output();
   const bool wrong = output.kind == MessageKind::kRefusal || output.kind == MessageKind::kError;
-  const Rect box{bar.x + pad, bar.y, titleBox.x - bar.x - 2 * pad - ui.px(4), bar.height};
+  const Rect box =
+      own ? Rect{row.x + pad, row.y, row.width - 2 * pad, row.height}
+          : Rect{bar.x + pad, bar.y, titleBox.x - bar.x - 2 * pad - ui.px(4), bar.height};
   if (box.width > ui.px(20)) {
     ui.text(box, ui.tell(output.text),
             {.colour = wrong                               ? ColourRole::kError
                        : output.kind == MessageKind::kDone ? ColourRole::kText
                                                            : ColourRole::kTextSecondary,
-             .align = Align::kRight,
+             .align = own ? Align::kLeft : Align::kRight,
              .mayShorten = true});
   }
+}
+
+// From one menu's label to the next: closer where the window is narrow. The menus' end in `end`.
+float menuSpacing(const Ui& ui, float width, float& end) {
+  constexpr float kLeastTitle = 60.0f;
+  float labels = 0.0f;
+  for (const Menu& menu : menus()) labels += ui.textWidth(ui.words(menu.id));
+  const auto gaps = 2.0f * static_cast<float>(menus().size());
+  const float room = (width - labels - ui.px(kLeastTitle)) / gaps;
+  const float spacing = std::floor(std::clamp(room, ui.px(4), ui.px(16)));
+  end = labels + spacing * gaps;
+  return spacing;
 }
 
 }  // namespace
@@ -191,13 +210,18 @@ const std::vector<Menu>& menus() {
   return table;
 }
 
-void menuBar(Ui& ui, const Session& session, const Layout& layout, Actions& actions) {
-  if (!ImGui::BeginMenuBar()) return;
+float menuBar(Ui& ui, const Session& session, const Layout& layout, Actions& actions) {
+  if (!ImGui::BeginMenuBar()) return 0.0f;
   const ImVec2 corner = ImGui::GetWindowPos();
   const float height = ImGui::GetFrameHeight();
+  const float width = ImGui::GetWindowWidth();
+  float menusEnd = 0.0f;
+  const float spacing = menuSpacing(ui, width, menusEnd);
+  // Where what is left of the bar is too short to say anything, the output line stands below it.
+  const float below = width - menusEnd < ui.px(kLeastOutput) ? ui.px(22) : 0.0f;
   // The bar has the window's padding, its menus have their own.
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(8)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(spacing, ui.px(8)));
   float end = corner.x;
   for (const Menu& menu : menus()) {
     const std::string label = ui.words(menu.id);
@@ -211,8 +235,12 @@ void menuBar(Ui& ui, const Session& session, const Layout& layout, Actions& acti
     ui.menu(menu.id, {begin, corner.y, end - begin, height}, label, true, open);
   }
   ImGui::PopStyleVar(2);
-  outputLine(ui, {end, corner.y, corner.x + ImGui::GetWindowWidth() - end, height}, session);
+  const Rect row{corner.x, corner.y + height, width, below};
+  if (below > 0.0f) ImGui::PushClipRect({row.x, row.y}, {row.right(), row.bottom()}, false);
+  outputLine(ui, {end, corner.y, corner.x + width - end, height}, row, session);
+  if (below > 0.0f) ImGui::PopClipRect();
   ImGui::EndMenuBar();
+  return below;
 }
 
 }  // namespace vides

@@ -20,7 +20,8 @@ void commandButton(Ui& ui, std::string_view id, const Rect& rect, std::string_vi
 ThreeColumns threeColumns(const Ui& ui, const Rect& row) {
   ThreeColumns result;
   const float gap = ui.px(4);
-  const float label = std::round(row.width * 0.262f);
+  // In a narrow column the labels keep what they need.
+  const float label = std::max(std::round(row.width * 0.262f), std::min(ui.px(68), row.width / 3));
   result.label = {row.x, row.y, label, row.height};
   const Rect rest{row.x + label + gap, row.y, row.width - label - gap, row.height};
   const std::vector<Rect> parts = split(ui, rest, 3);

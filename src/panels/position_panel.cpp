@@ -52,7 +52,9 @@ void shapeRow(Ui& ui, const Rect& row, const Session& session, std::size_t index
 
 void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) {
   panel(ui, column, "panel/position", [&](Stack& rows) {
-    auto row = split(ui, rows.row(kRow), 4);
+    auto row = splitFor(ui, rows.row(kRow),
+                        {ui.words("position/insert"), ui.words("position/insert_many"),
+                         ui.words("position/append"), ui.words("position/delete")});
     commandButton(ui, "position/insert", row[0], "insert-key", session, actions);
     commandButton(ui, "position/insert_many", row[1], "show-window insert-keys", session, actions);
     commandButton(ui, "position/append", row[2], "append-key", session, actions);

@@ -68,29 +68,44 @@ void transport(Ui& ui, const Rect& row, const Session& session, TimelineView& vi
   // Frame and time, every number in a place of its own width so that nothing moves.
   const double fps = session.flight().frameRate;
   const std::int64_t last = session.evaluation().frameCount() - 1;
-  const auto label = [&](const std::string& words, Weight weight, ColourRole role, float width,
-                         Align align) {
-    ui.text({x, row.y, width, row.height}, words,
-            {.colour = role, .weight = weight, .align = align});
-    x += width;
-  };
-  const auto plain = [&](const std::string& words) {
-    label(words, Weight::kRegular, ColourRole::kTextSecondary, ui.textWidth(words), Align::kLeft);
+  struct Piece {
+    std::string words;
+    int rank;  // what goes first where there is no room for all has the highest
+    Weight weight = Weight::kRegular;
+    std::string widest = {};
   };
   const std::string digits(std::to_string(last).size(), '0');
-  plain(ui.words("frame_title") + " ");
-  label(std::to_string(session.frame()), Weight::kSemibold, ColourRole::kText,
-        ui.textWidth(digits, Weight::kSemibold), Align::kRight);
-  plain(fmt::format(" {} {}  \u00b7  ", ui.words("of"), last));
   const double time = static_cast<double>(session.frame()) / fps;
   const auto minutes = static_cast<int>(time / 60.0);
   const std::string clock =
       fmt::format("{:02}:{}{}", minutes, time - 60.0 * minutes < 10.0 ? "0" : "",
                   ui.number(std::floor((time - 60.0 * minutes) * 100.0) / 100.0, 2));
-  label(clock, Weight::kSemibold, ColourRole::kText, ui.textWidth(clock, Weight::kSemibold),
-        Align::kLeft);
-  plain(fmt::format("  \u00b7  {} {}", ui.number(fps, fps == std::floor(fps) ? 0 : 2),
-                    ui.words("frames_per_second")));
+  std::vector<Piece> pieces = {
+      {ui.words("frame_title") + " ", 3},
+      {std::to_string(session.frame()), 0, Weight::kSemibold, digits},
+      {fmt::format(" {} {}", ui.words("of"), last), 1},
+      {"  \u00b7  ", 2},
+      {clock, 2, Weight::kSemibold},
+      {fmt::format("  \u00b7  {} {}", ui.number(fps, fps == std::floor(fps) ? 0 : 2),
+                   ui.words("frames_per_second")),
+       4}};
+  const auto widthOf = [&](const Piece& piece) {
+    return ui.textWidth(piece.widest.empty() ? piece.words : piece.widest, piece.weight);
+  };
+  for (int rank = 4; rank > 0; --rank) {
+    float all = x;
+    for (const Piece& piece : pieces) all += widthOf(piece);
+    if (all <= row.right()) break;
+    std::erase_if(pieces, [&](const Piece& piece) { return piece.rank == rank; });
+  }
+  for (const Piece& piece : pieces) {
+    const bool strong = piece.weight == Weight::kSemibold;
+    ui.text({x, row.y, widthOf(piece), row.height}, piece.words,
+            {.colour = strong ? ColourRole::kText : ColourRole::kTextSecondary,
+             .weight = piece.weight,
+             .align = piece.widest.empty() ? Align::kLeft : Align::kRight});
+    x += widthOf(piece);
+  }
 
   // The strip's legend at the right: a line in the colour and a word.
   float right = row.right();

@@ -229,6 +229,25 @@ std::vector<Rect> split(const Ui& ui, const Rect& row, int parts, float gapAtSca
   return result;
 }
 
+std::vector<Rect> splitFor(const Ui& ui, const Rect& row, const std::vector<std::string>& labels) {
+  std::vector<Rect> boxes = split(ui, row, static_cast<int>(labels.size()));
+  float all = 0.0f;
+  bool fit = true;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    all += ui.textWidth(labels[i]);
+    fit = fit && ui.textWidth(labels[i]) + ui.px(4) <= boxes[i].width;
+  }
+  if (fit) return boxes;
+  const auto count = static_cast<float>(labels.size());
+  const float margin = (row.width - all - (count - 1.0f) * ui.px(4)) / count;
+  float x = row.x;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    boxes[i] = {std::floor(x), row.y, std::floor(ui.textWidth(labels[i]) + margin), row.height};
+    x += ui.textWidth(labels[i]) + margin + ui.px(4);
+  }
+  return boxes;
+}
+
 void panel(Ui& ui, Stack& column, std::string_view headingKey,
            const std::function<void(Stack&)>& content) {
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -241,6 +241,9 @@ class Stack {
 // A row cut into equal parts with gaps of 4.
 std::vector<Rect> split(const Ui& ui, const Rect& row, int parts, float gapAtScale1 = 4.0f);
 
+// The same for labels: equal parts where they fit, else each as wide as its label needs.
+std::vector<Rect> splitFor(const Ui& ui, const Rect& row, const std::vector<std::string>& labels);
+
 // A panel: a ground with a heading. `content` draws into the stack; the ground takes its height.
 void panel(Ui& ui, Stack& column, std::string_view headingKey,
            const std::function<void(Stack&)>& content);

@@ -9,6 +9,10 @@
 
 namespace vides {
 
+bool roomForSliders(const Ui& ui, const Rect& rect) {
+  return rect.width >= ui.px(150) && rect.height >= ui.px(200);
+}
+
 // About the middle, and no longer than looks well: the sketch's proportions.
 Rect sizeSliderPlace(const Ui& ui, const Rect& rect) {
   const float width = std::clamp(rect.width - ui.px(400), ui.px(120), ui.px(480));

@@ -9,6 +9,7 @@
 namespace vides {
 
 // Where the slider above the viewport stands.
+bool roomForSliders(const Ui& ui, const Rect& rect);
 Rect sizeSliderPlace(const Ui& ui, const Rect& rect);
 // What the sliders ask for; they change the view, which is no step of the history.
 std::optional<EditorView> viewportSliders(Ui& ui, const Rect& rect, const Session& session);

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "flight/utf8.hpp"
 
 namespace vides {
 namespace {
@@ -34,14 +37,73 @@ void edge(Ui& ui, const Rect& all) {
   ImGui::PopClipRect();
 }
 
+// Draws what needs at least this size (pixels) into the room; where that is smaller, the wheel and
+// bars in the margin right and below, `margin` wide, reach the rest.
+void scrolled(const Ui& ui, const Rect& room, float margin, float width, float height,
+              const std::function<void(const Rect&)>& content) {
+  if (room.width >= width && room.height >= height) return content(room);
+  // Dear ImGui clips what a window holds short of its sides.
+  const float bars = margin - ui.px(4);
+  ImGui::SetCursorScreenPos({room.x, room.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  ImGui::BeginChild("###scrolled", {room.width + bars, room.height + bars}, false,
+                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_HorizontalScrollbar);
+  ImGui::PopStyleVar();
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const Rect all{from.x, from.y, std::max(room.width, width), std::max(room.height, height)};
+  content(all);
+  ImGui::SetCursorScreenPos(from);
+  ImGui::Dummy({all.width, all.height});
+  ImGui::EndChild();
+}
+
+// What the content of a frame needs, of the frame's sizes.
+float needed(float wanted, float least) { return least > 0.0f ? least : wanted; }
+
 }  // namespace
+
+std::vector<std::string> wrapped(const Ui& ui, std::string_view text, float width, Weight weight) {
+  std::vector<std::string> lines;
+  std::string line;
+  const auto fits = [&](const std::string& words) { return ui.textWidth(words, weight) <= width; };
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    std::string word(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (fits(longer)) {
+      line = longer;
+      continue;
+    }
+    if (!line.empty()) lines.push_back(std::exchange(line, {}));
+    // A word that is longer than a line, as names of files may be.
+    while (!fits(word)) {
+      std::size_t part = 0;
+      while (part < word.size()) {
+        const std::size_t next = part + std::max<std::size_t>(1, utf8Length(word.substr(part)));
+        if (part > 0 && !fits(word.substr(0, next))) break;
+        part = next;
+      }
+      if (part >= word.size()) break;
+      lines.push_back(word.substr(0, part));
+      word.erase(0, part);
+    }
+    line = std::move(word);
+  }
+  if (!line.empty() || lines.empty()) lines.push_back(line);
+  return lines;
+}
 
 void windowFrame(Ui& ui, const WindowFrame& frame,
                  const std::function<void(const Rect&)>& content) {
   if (frame.modal) shade(std::string(frame.id) + "/shade");
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float w = std::min(ui.px(frame.width), screen.x);
-  const float h = std::min(ui.px(frame.height), screen.y);
+  const float pad = ui.px(16);
+  std::vector<std::string> lines{frame.heading};
+  if (frame.wraps) lines = wrapped(ui, frame.heading, w - 2 * pad, Weight::kSemibold);
+  const float more = ui.px(20) * static_cast<float>(lines.size() - 1);
+  const float h = std::min(ui.px(frame.height) + more, screen.y);
   ImGui::SetNextWindowPos({std::round((screen.x - w) / 2), std::round((screen.y - h) / 2)});
   ImGui::SetNextWindowSize({w, h});
   if (frame.focus) ImGui::SetNextWindowFocus();
@@ -50,10 +112,16 @@ void windowFrame(Ui& ui, const WindowFrame& frame,
   const ImVec2 corner = ImGui::GetWindowPos();
   const Rect all{corner.x, corner.y, w, h};
   edge(ui, all);
-  const Rect inner = all.inset(ui.px(16));
-  ui.text({inner.x, inner.y, inner.width, ui.px(24)}, frame.heading,
-          {.weight = Weight::kSemibold, .mayShorten = true});
-  content({inner.x, inner.y + ui.px(32), inner.width, inner.height - ui.px(32)});
+  const float above = ui.px(32) + more;
+  scrolled(ui, all.inset(pad), pad, ui.px(needed(frame.width, frame.leastWidth)) - 2 * pad,
+           ui.px(needed(frame.height, frame.leastHeight)) + more - 2 * pad, [&](const Rect& inner) {
+             Rect row{inner.x, inner.y, inner.width, ui.px(24)};
+             for (const std::string& line : lines) {
+               ui.text(row, line, {.weight = Weight::kSemibold, .mayShorten = true});
+               row.y += ui.px(20);
+             }
+             content({inner.x, inner.y + above, inner.width, inner.height - above});
+           });
   ImGui::End();
 }
 
@@ -99,7 +167,10 @@ bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place,
       {.quiet = true,
        .tooltip = own.empty() ? ui.words("shortcuts/close") : own,
        .command = "escape"});
-  content({row.x, row.bottom() + ui.px(8), row.width, y + h - pad - row.bottom() - ui.px(8)});
+  const float above = row.bottom() + ui.px(8) - y;
+  scrolled(ui, {row.x, y + above, row.width, h - above - pad}, pad,
+           ui.px(needed(frame.width, frame.leastWidth)) - 2 * pad,
+           ui.px(needed(frame.height, frame.leastHeight)) - above - pad, content);
   ImGui::End();
   return !closed;
 }

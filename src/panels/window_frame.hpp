@@ -5,6 +5,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "panels/ui.hpp"
 
@@ -16,7 +18,15 @@ struct WindowFrame {
   std::string heading;
   bool focus = true;   // takes the keyboard; only the top window may
   bool modal = false;  // nothing under it can be reached
+  bool wraps = false;  // the heading takes as many lines as it needs, and the window grows by them
+  // What its content can do with, at content scale 1; 0: with nothing less than the frame's size.
+  // On a smaller screen the content is scrolled.
+  float leastWidth = 0.0f, leastHeight = 0.0f;
 };
+
+// The lines of a text, broken at blanks, and inside words that are longer than a line.
+std::vector<std::string> wrapped(const Ui& ui, std::string_view text, float width,
+                                 Weight weight = Weight::kRegular);
 
 // In the middle of the screen, with a heading; `content` draws into what is left.
 void windowFrame(Ui& ui, const WindowFrame& frame, const std::function<void(const Rect&)>& content);
@@ -35,6 +45,7 @@ struct FloatingFrame {
   std::string heading;
   // Pixels: where it stands until it is moved, kept on the screen; absent: in the middle.
   std::optional<float> x = {}, y = {};
+  float leastWidth = 0.0f, leastHeight = 0.0f;  // as in WindowFrame
 };
 
 // Over the editor, which can be used on beside it. False if its close button was pressed.

@@ -61,20 +61,21 @@ void question(Ui& ui, const Session& session, Actions& actions) {
   const std::string words = ui.tell(asked.text);
   const auto count = static_cast<int>(asked.choices.size());
   const float wanted = ui.textWidth(words, Weight::kSemibold) / ui.scale() + 40.0f;
-  windowFrame(ui, {"###question", std::clamp(wanted, 380.0f, 900.0f), 100.0f, words, true, true},
-              [&](const Rect& room) {
-                const Rect row{room.x, room.bottom() - ui.px(26), room.width, ui.px(26)};
-                const std::vector<Rect> places = split(ui, row, count, 8.0f);
-                for (std::size_t i = 0; i < asked.choices.size(); ++i) {
-                  const bool enter = asked.choices[i] == answerOfEnter(asked);
-                  const bool clicked =
-                      ui.button("question/" + asked.choices[i], places[i],
-                                ui.words("answer." + asked.choices[i]), {.enter = enter});
-                  if (clicked || (enter && ui.enterPressed())) {
-                    actions.run(Command("answer", asked.choices[i]));
-                  }
-                }
-              });
+  windowFrame(
+      ui,
+      {"###question", std::clamp(wanted, 380.0f, 900.0f), 100.0f, words, true, true, true, 380.0f},
+      [&](const Rect& room) {
+        const Rect row{room.x, room.bottom() - ui.px(26), room.width, ui.px(26)};
+        const std::vector<Rect> places = split(ui, row, count, 8.0f);
+        for (std::size_t i = 0; i < asked.choices.size(); ++i) {
+          const bool enter = asked.choices[i] == answerOfEnter(asked);
+          const bool clicked = ui.button("question/" + asked.choices[i], places[i],
+                                         ui.words("answer." + asked.choices[i]), {.enter = enter});
+          if (clicked || (enter && ui.enterPressed())) {
+            actions.run(Command("answer", asked.choices[i]));
+          }
+        }
+      });
 }
 
 }  // namespace

@@ -50,18 +50,22 @@ Flight extremeFlight() {
 
 struct Case {
   const char* language;
-  int scale;
+  double scale;
   bool extreme;
+  // A screen of 960 x 600 whatever the scale.
+  bool tight = false;
 };
 void PrintTo(const Case& c, std::ostream* out) {
-  *out << c.language << " at scale " << c.scale << (c.extreme ? ", extreme" : "");
+  *out << c.language << " at scale " << c.scale << (c.extreme ? ", extreme" : "")
+       << (c.tight ? ", tight" : "");
 }
 
 class Interface : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
     OffscreenOptions options;
-    options.size = {960 * GetParam().scale, 600 * GetParam().scale};
+    const double size = GetParam().tight ? 1.0 : GetParam().scale;
+    options.size = {static_cast<int>(960 * size), static_cast<int>(600 * size)};
     options.contentScale = GetParam().scale;
     auto host = openOffscreen(OffscreenKind::kOsmesa, options);
     ASSERT_TRUE(host) << host.error();
@@ -107,7 +111,7 @@ class Interface : public testing::TestWithParam<Case> {
       ASSERT_TRUE(player_->clickWidget(menu.id));
       settle();
       check(menu.id);
-      player_->click(600.0 * GetParam().scale, 4.0);  // beside the menus: it closes
+      ASSERT_TRUE(player_->clickWidget(menu.id));  // it closes
     }
     // The questions.
     Session& session = player_->editor().session();
@@ -160,14 +164,18 @@ void expectTextsFit(const WidgetRegistry& widgets, const std::string& state) {
   }
 }
 
-// What is operated lies on the screen and on nothing else of its kind and area.
-void expectApart(const WidgetRegistry& widgets, const Rect& screen, const std::string& state) {
+// What is operated lies on the screen, if that is given, and on nothing else of its kind and area.
+void expectApart(const WidgetRegistry& widgets, const std::optional<Rect>& screen,
+                 const std::string& state) {
   std::vector<const Widget*> operated;
   for (const auto& [id, widget] : widgets.widgets()) {
-    if (isOperated(widget) && !widget.visible.empty()) operated.push_back(&widget);
+    const bool counts = !screen || !widget.visible.empty();
+    if (isOperated(widget) && counts) operated.push_back(&widget);
   }
   for (const Widget* a : operated) {
-    EXPECT_EQ(a->rect.intersect(screen).width, a->rect.width) << a->id << ", " << state;
+    if (screen) {
+      EXPECT_EQ(a->rect.intersect(*screen).width, a->rect.width) << a->id << ", " << state;
+    }
     for (const Widget* b : operated) {
       if (a->id >= b->id || areaOf(a->id) != areaOf(b->id)) continue;
       // A choice holds its entries.
@@ -206,12 +214,70 @@ bool isPlain(const Widget& widget) {
   return false;
 }
 
+using Reachable = Interface;
+TEST_P(Reachable, OnASmallScreen) {
+  std::set<std::string> below;  // what the windows stand over
+  forEachState([&](const std::string& state) {
+    expectTextsFit(widgets(), state);
+    expectApart(widgets(), std::nullopt, state);
+    const Rect screen{0.0f, 0.0f, 960.0f, 600.0f};
+    std::vector<std::string> ids;
+    for (const auto& [id, widget] : widgets().widgets()) {
+      const bool operated = isOperated(widget) || widget.kind == WidgetKind::kMenu ||
+                            widget.kind == WidgetKind::kMenuItem;
+      if (operated && !below.contains(id)) ids.push_back(id);
+    }
+    if (below.empty()) below.insert(ids.begin(), ids.end());
+    EXPECT_FALSE(ids.empty()) << state;
+    for (const std::string& id : ids) {
+      const auto found = player_->bringIntoSight(id);
+      ASSERT_TRUE(found) << found.error() << ", " << state;
+      const Rect& seen = found->visible;
+      EXPECT_EQ(seen.intersect(screen), seen) << id << ", " << state;
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Reachable,
+                         testing::Values(Case{"en", 1.5, false, true}, Case{"de", 1.5, false, true},
+                                         Case{"en", 2, false, true}, Case{"de", 2, false, true}),
+                         [](const auto& each) {
+                           return std::string(each.param.language) +
+                                  std::to_string(static_cast<int>(each.param.scale * 10));
+                         });
+
+// What a small viewport shows is worth more than three sliders over it; a larger one has them.
+TEST(InterfaceSliders, AreThereWhereThereIsRoom) {
+  const auto shown = [](double scale, const char* hidden) {
+    OffscreenOptions options;
+    options.size = {960, 600};
+    options.contentScale = scale;
+    auto host = openOffscreen(OffscreenKind::kOsmesa, options).value();
+    auto player = Player::create(*host).value();
+    Layout layout;
+    if (std::string_view(hidden) == "timeline") layout.timelineShown = false;
+    player->editor().setLayout(layout);
+    player->frame();
+    player->frame();
+    int count = 0;
+    for (const char* id : {"view/size", "view/turn", "view/tilt"}) {
+      const Widget* slider = player->editor().widgets().find(id);
+      if (slider != nullptr) ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(shown(1.0, ""), 3);
+  EXPECT_EQ(shown(1.5, ""), 3);
+  EXPECT_EQ(shown(2.0, ""), 0);
+  EXPECT_EQ(shown(2.0, "timeline"), 3);
+}
+
 TEST_P(Interface, FitsStandsApartAndTellsWhatItDoes) {
   const auto scale = static_cast<float>(GetParam().scale);
   std::set<std::string> bare;
   forEachState([&](const std::string& state) {
     expectTextsFit(widgets(), state);
-    expectApart(widgets(), {0.0f, 0.0f, 960.0f * scale, 600.0f * scale}, state);
+    expectApart(widgets(), Rect{0.0f, 0.0f, 960.0f * scale, 600.0f * scale}, state);
     for (const auto& [id, widget] : widgets().widgets()) {
       if (!isOperated(widget) || !widget.tip.empty()) continue;
       if (!saysItAll(widget) && !isPlain(widget)) bare.insert(id);
@@ -226,7 +292,7 @@ INSTANTIATE_TEST_SUITE_P(All, Interface,
                                          Case{"en", 1, true}, Case{"de", 1, true}),
                          [](const auto& each) {
                            return std::string(each.param.language) +
-                                  std::to_string(each.param.scale) +
+                                  std::to_string(static_cast<int>(each.param.scale)) +
                                   (each.param.extreme ? "extreme" : "");
                          });
 

@@ -43,19 +43,6 @@ tl::expected<std::unique_ptr<Player>, std::string> Player::create(OffscreenHost&
   return player;
 }
 
-// A height near y where the wheel scrolls the column: over the pictures it means something else.
-double Player::besidePictures(double x, double y) const {
-  for (const char* id : {"camera/picture", "view/picture"}) {
-    const Widget* const picture = editor_->widgets().find(id);
-    if (picture == nullptr) continue;
-    const Rect& seen = picture->visible;
-    if (seen.contains(static_cast<float>(x), static_cast<float>(y))) {
-      return static_cast<double>(seen.bottom()) + 2.0;
-    }
-  }
-  return y;
-}
-
 void Player::draw() {
   FrameInput input;
   input.events = host_.takeEvents();
@@ -139,6 +126,38 @@ bool Player::perform(const Command& command) {
   return done;
 }
 
+// One step of the wheel over what it stands in; false if that doesn't move it. Windows that are too
+// wide for the screen are as wide as that, so what is beside it is to be scrolled across.
+bool Player::scrollTowards(const Widget& widget) {
+  const std::string id = widget.id;
+  const auto middle = [](const Widget& w, bool x) {
+    return x ? w.rect.centreX() : w.rect.centreY();
+  };
+  const PixelSize size = host_.size();
+  const double x =
+      std::clamp(static_cast<double>(middle(widget, true)), size.width * 0.03, size.width * 0.97);
+  const double y =
+      std::clamp(static_cast<double>(middle(widget, false)), size.height * 0.3, size.height * 0.5);
+  const bool across = x != static_cast<double>(middle(widget, true));
+  const float before = middle(widget, across);
+  move(x, y);
+  // Over the pictures the wheel means something else: beside the one in the column it scrolls.
+  if (editor_->overPicture()) {
+    for (const char* picture : {"camera/picture", "view/picture"}) {
+      const Widget* const area = editor_->widgets().find(picture);
+      if (area == nullptr || !area->visible.contains(static_cast<float>(x), static_cast<float>(y)))
+        continue;
+      move(static_cast<double>(area->rect.x) - 3.0, y);
+    }
+  }
+  const int extent = across ? size.width : size.height;
+  const double step = before > static_cast<float>(extent) * 0.4f ? -1.0 : 1.0;
+  event(WheelTurned{across ? step : 0.0, across ? 0.0 : step});
+  frame();
+  const Widget* after = editor_->widgets().find(id);
+  return after == nullptr || middle(*after, across) != before;
+}
+
 tl::expected<Widget, std::string> Player::bringIntoSight(const std::string& id) {
   const std::string menu = parentMenu(id);
   if (!menu.empty() && editor_->widgets().find(id) == nullptr) {
@@ -152,15 +171,7 @@ tl::expected<Widget, std::string> Player::bringIntoSight(const std::string& id) 
     }
     const float middle = widget->rect.centreY();
     if (widget->visible.contains(widget->rect.centreX(), middle)) return *widget;
-    // Its column is scrolled with the wheel, the pointer over it.
-    const PixelSize size = host_.size();
-    const double before = static_cast<double>(middle);
-    const double x = static_cast<double>(widget->rect.centreX());
-    move(x, besidePictures(x, std::clamp(before, size.height * 0.3, size.height * 0.5)));
-    event(WheelTurned{0.0, middle > static_cast<float>(size.height) * 0.4f ? -1.0 : 1.0});
-    frame();
-    const Widget* after = editor_->widgets().find(id);
-    if (after != nullptr && static_cast<double>(after->rect.centreY()) == before) break;
+    if (!scrollTowards(*widget)) break;
   }
   return Failure(fmt::format("expected {} to be reachable, found it outside the window", id));
 }

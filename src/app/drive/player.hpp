@@ -48,6 +48,8 @@ class Player {
   // A widget operated as a hand would: its menu is opened, its column scrolled. Error: a sentence.
   tl::expected<void, std::string> clickWidget(const std::string& id);
   tl::expected<void, std::string> setWidget(const std::string& id, const std::string& value);
+  // Scrolled until it can be pointed at.
+  tl::expected<Widget, std::string> bringIntoSight(const std::string& id);
 
   // What has been operated, a line each: "command NAME", "shortcut KEYS", "widget ID".
   const std::set<std::string>& operated() const { return operated_; }
@@ -57,8 +59,7 @@ class Player {
 
  private:
   explicit Player(OffscreenHost& host) : host_(host) {}
-  tl::expected<Widget, std::string> bringIntoSight(const std::string& id);
-  double besidePictures(double x, double y) const;
+  bool scrollTowards(const Widget& widget);
   void noteAreas();
   void draw();
 
