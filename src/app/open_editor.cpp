@@ -131,6 +131,12 @@ int openEditor(const std::optional<std::string>& flight) {
   if (trouble) (*editor)->session().say(MessageKind::kError, *trouble);
   RecoveryKeeper recovery(writer, stateFolder().empty() ? "" : stateFolder() / "recovery");
   recovery.offer((*editor)->session());
+  window.onLost([&] {
+    const bool kept = recovery.keepNow((*editor)->session());
+    userFiles.close((*editor)->session());
+    tell(kept ? "the display is gone; what was unsaved is offered at the next start"
+              : "the display is gone");
+  });
   runWindow(window, **editor, userFiles, recovery);
   recovery.close();
   userFiles.close((*editor)->session());

@@ -77,6 +77,11 @@ std::optional<double> RecoveryKeeper::follow(Session& session, double now) {
   }
   if (!dueAt_) dueAt_ = now + kDelay;
   if (now < *dueAt_) return *dueAt_ - now;
+  write(session);
+  return std::nullopt;
+}
+
+void RecoveryKeeper::write(const Session& session) {
   dueAt_.reset();
   written_ = true;
   kept_ = session.flight();
@@ -85,7 +90,13 @@ std::optional<double> RecoveryKeeper::follow(Session& session, double now) {
     // What can't be kept here can be saved all the same, and that will tell.
     static_cast<void>(own->write(flight, path));
   });
-  return std::nullopt;
+}
+
+bool RecoveryKeeper::keepNow(const Session& session) {
+  const bool unsaved = own_ && session.modified();
+  if (unsaved) write(session);
+  writer_.finish();
+  return unsaved;
 }
 
 void RecoveryKeeper::close() {

@@ -25,11 +25,14 @@ class RecoveryKeeper {
   // After a display frame: takes answers, and has an edit written two seconds after it. The
   // seconds until it wants to be called again.
   std::optional<double> follow(Session& session, double now);
+  // Has what is unsaved on the disk before it returns. Whether there is anything.
+  bool keepNow(const Session& session);
   // When the window closes as it should: nothing is left.
   void close();
 
  private:
   void askNext(Session& session);
+  void write(const Session& session);
   void takeAnswer(Session& session);
 
   BackgroundWriter& writer_;

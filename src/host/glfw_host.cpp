@@ -9,11 +9,13 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "host/current_context.hpp"
 #include "host/glfw_keys.hpp"
+#include "host/lost_display.hpp"
 
 namespace vides {
 namespace {
@@ -126,6 +128,7 @@ class GlfwHost final : public Host {
   void setTitle(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
   bool fullScreen() const override { return glfwGetWindowMonitor(window_) != nullptr; }
   void setFullScreen(bool on) override;
+  void onLost(std::function<void()> last) override { watch_.emplace(std::move(last)); }
 
  private:
   static GlfwHost& of(GLFWwindow* window) {
@@ -141,6 +144,7 @@ class GlfwHost final : public Host {
   std::chrono::duration<double> framePeriod() const;
 
   GlfwUse use_;
+  std::optional<LostDisplay> watch_;  // ends before GLFW does
   GLFWwindow* window_ = nullptr;
   Gl gl_;
   std::vector<InputEvent> events_;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,12 @@ class Host {
   virtual void setTitle(const std::string& title) = 0;
   virtual bool fullScreen() const = 0;
   virtual void setFullScreen(bool on) = 0;
+
+  // What is still to be done when the display is lost (its server has ended). It is called in the
+  // middle of some function of this host, on the thread that uses it, and must use neither the host
+  // nor OpenGL any more. When it returns the process ends with status 1: no library that draws
+  // there survives. What is drawn into memory has no display to lose.
+  virtual void onLost(std::function<void()> last) { static_cast<void>(last); }
 };
 
 }  // namespace vides

@@ -133,6 +133,56 @@ TEST_F(RecoveryTest, KilledItGivesTheWorkBack) {
   closeProgram();
 }
 
+// Its X server ends: so must the program, but not what was done in it.
+TEST_F(RecoveryTest, ALostDisplayLosesNothing) {
+  const auto loseDisplay = [&] {
+    peer_.reset();
+    screen_.reset();
+    ASSERT_TRUE(waitUntil([&] { return program_->ended().has_value(); }));
+    EXPECT_EQ(program_->ended(), 1);
+    program_.reset();
+    screen_.emplace();
+    peer_.emplace();
+  };
+  startProgram({file("window").string()});
+  const std::string before = test::readAll(file("window"));
+  loseDisplay();
+  EXPECT_EQ(errors(), "vides: the display is gone\n");
+  EXPECT_THAT(kept(), testing::IsEmpty());
+
+  // An edit that is on the disk already, and one that isn't: the window's name tells of it at once.
+  startProgram({file("window").string()});
+  EXPECT_LT(editAndWait(), 5.0);
+  twin_->tap(KeyboardKey::kZ, {.control = true});
+  xdotool("key ctrl+z");
+  EXPECT_TRUE(waitUntil([&] { return kept().empty(); }));
+  twin_->tap(KeyboardKey::kE, {});
+  xdotool("key e");
+  ASSERT_TRUE(waitUntil([&] {
+    return xdotool("getwindowname " + std::to_string(window_)).find('*') != std::string::npos;
+  }));
+  loseDisplay();
+  EXPECT_EQ(errors(),
+            "vides: the display is gone; what was unsaved is offered at the next start\n");
+  ASSERT_EQ(kept().size(), 1u);
+  Session& twin = twin_->editor().session();
+  EXPECT_EQ(readVidFile(kept().front().string())->keys, twin.flight().keys);
+  EXPECT_EQ(test::readAll(file("window")), before);
+
+  startProgram({});
+  const Flight work = twin.flight();
+  twin.offerRecovery(work, file("window").string(), "2026-11-22 08:15");
+  clickBoth("question/recover");
+  loseDisplay();  // it is this editor's now
+  EXPECT_EQ(kept().size(), 1u);
+  startProgram({});
+  twin.offerRecovery(work, file("window").string(), "2026-11-22 08:15");
+  clickBoth("question/recover");
+  xdotool("key ctrl+s");
+  EXPECT_TRUE(waitUntil([&] { return test::readAll(file("window")) == writeVid(work); }));
+  closeProgram();
+}
+
 TEST_F(RecoveryTest, AnotherEditorLeavesIt) {
   startProgram({file("window").string()});
   EXPECT_LT(editAndWait(), 5.0);
@@ -147,7 +197,7 @@ TEST_F(RecoveryTest, AnotherEditorLeavesIt) {
     }));
     ASSERT_TRUE(waitUntil([&] { return sleeps(other.id()) > 0; }));
     // Had it asked, it would not end before the answer.
-    peer_.requestClose(window);
+    peer_->requestClose(window);
     ASSERT_TRUE(waitUntil([&] { return other.ended().has_value(); }));
     EXPECT_EQ(other.ended(), 0);
   }

@@ -91,26 +91,30 @@ class WindowTest : public testing::Test {
             "XDG_STATE_HOME=" + (folder_ / "state").string()};
   }
 
+  // What the program has written to its standard error.
+  std::string errors() const { return test::readAll(folder_ / "errors"); }
+
   // Its first picture is there; then it has nothing more to do.
   void startProgram(std::vector<std::string> arguments) {
     window_ = 0;
-    arguments.insert(arguments.begin(), VIDES_PROGRAM);
+    arguments.insert(arguments.begin(), {"sh", "-c", "exec \"$@\" 2> \"$0\"",
+                                         (folder_ / "errors").string(), VIDES_PROGRAM});
     program_.emplace(arguments, environment());
     ASSERT_TRUE(waitUntil([&] {
       const std::string id = xdotool("search --onlyvisible --class ^vides$");
       if (!id.empty()) window_ = std::stoul(id);
       return window_ != 0 || program_->ended();
     }));
-    ASSERT_FALSE(program_->ended()) << *program_->ended();
-    ASSERT_TRUE(waitUntil([&] { return peer_.screenshot(window_).pixel(640, 790)[0] > 0; }));
+    ASSERT_FALSE(program_->ended()) << *program_->ended() << '\n' << errors();
+    ASSERT_TRUE(waitUntil([&] { return peer_->screenshot(window_).pixel(640, 790)[0] > 0; }));
     ASSERT_TRUE(fallsAsleep());
   }
 
   // The window's own way to its end; nothing may be unsaved.
   void closeProgram() {
-    peer_.requestClose(window_);
+    peer_->requestClose(window_);
     ASSERT_TRUE(waitUntil([&] { return program_->ended().has_value(); }));
-    EXPECT_EQ(program_->ended(), 0);
+    EXPECT_EQ(program_->ended(), 0) << errors();
     program_.reset();
   }
 
@@ -147,6 +151,12 @@ class WindowTest : public testing::Test {
     });
   }
 
+  void keyBoth(KeyboardKey key, const Modifiers& modifiers, const std::string& xName) {
+    twin_->tap(key, modifiers);
+    xdotool("key " + xName);
+    ASSERT_TRUE(fallsAsleep());
+  }
+
   // On whole pixels, since the pointer of the screen stands there only.
   void drag(PointerButton button, const Vec2& from, int right, int down) {
     const int x = static_cast<int>(std::lround(from.x));
@@ -175,7 +185,7 @@ class WindowTest : public testing::Test {
     PictureTolerance tolerance;
     tolerance.share = kEglShare;
     EXPECT_TRUE(
-        test::equalsPicture(peer_.screenshot(window_), twin_->picture().value(), name, tolerance));
+        test::equalsPicture(peer_->screenshot(window_), twin_->picture().value(), name, tolerance));
   }
 
   Vec2 placeOf(std::size_t key) {
@@ -204,8 +214,8 @@ class WindowTest : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  test::Screen screen_;
-  test::XPeer peer_;
+  std::optional<test::Screen> screen_{std::in_place};
+  std::optional<test::XPeer> peer_{std::in_place};
   std::unique_ptr<OffscreenHost> host_;
   std::unique_ptr<Player> twin_;
   std::optional<test::RunningProcess> program_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a hand does in the program's window ends up in the file, and nothing happens without it.
+#include <set>
+
 #include "app/window_fixture.hpp"
 
 namespace vides {
@@ -42,6 +44,47 @@ TEST_F(WindowTest, DragsAndTypesAndSaves) {
   expectOnScreen("window_on_screen");
 
   // Nothing is unsaved: the window goes without a question.
+  closeProgram();
+}
+
+TEST_F(WindowTest, FliesTheCameraAndPlays) {
+  const Session& session = twin_->editor().session();
+  const Widget* picture = twin_->editor().widgets().find("camera/picture");
+  ASSERT_NE(picture, nullptr);
+  const Vec2 middle{static_cast<double>(picture->rect.centreX()),
+                    static_cast<double>(picture->rect.centreY())};
+  const Camera before = session.camera();
+  // Left turns, middle moves sideways: each makes a free view, which U takes over.
+  for (const auto button : {PointerButton::kLeft, PointerButton::kMiddle}) {
+    drag(button, middle, 24, 10);
+    ASSERT_TRUE(session.freeCamera());
+    keyBoth(KeyboardKey::kU, {}, "u");
+    EXPECT_FALSE(session.freeCamera());
+    expectSavedAlike(button == PointerButton::kLeft ? "turned" : "moved");
+  }
+  EXPECT_GT(glm::length(session.camera().viewPlaneNormal - before.viewPlaneNormal), 0.03);
+  EXPECT_GT(glm::length(session.camera().viewReferencePoint - before.viewReferencePoint), 0.01);
+  // A view that Escape leaves changes nothing.
+  drag(PointerButton::kLeft, middle, -30, 12);
+  keyBoth(KeyboardKey::kEscape, {}, "Escape");
+  keyBoth(KeyboardKey::kU, {}, "u");
+  expectOnScreen("window_flown");
+
+  // Through the last section: picture after picture by itself, until the end.
+  keyBoth(KeyboardKey::kEnd, {.control = true}, "ctrl+End");
+  keyBoth(KeyboardKey::kLeft, {.shift = true}, "shift+Left");
+  const std::int64_t from = session.frame();
+  twin_->tap(KeyboardKey::kSpace, {});
+  xdotool("key space");
+  std::set<std::vector<std::uint8_t>> seen;
+  EXPECT_TRUE(waitUntil([&] {
+    seen.insert(peer_->screenshot(window_).rgba);
+    return seen.size() > 5;
+  }));
+  while (session.playback().playing()) twin_->frame();
+  EXPECT_GT(session.frame(), from + 20);
+  EXPECT_EQ(session.frame(), session.evaluation().frameCount() - 1);
+  expectOnScreen("window_played");
   closeProgram();
 }
 

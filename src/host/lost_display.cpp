@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The end of the X server under a window of GLFW's.
+#include "host/lost_display.hpp"
+
+#include <dlfcn.h>
+#include <signal.h>
+
+#include <cstdlib>
+#include <utility>
+
+namespace vides {
+namespace {
+
+// Xlib's, by their names in the libraries that GLFW has loaded: without X there are none, and the
+// program needs neither its headers nor the library. A Display is only handed on.
+using DisplayOf = void* (*)();
+using SetErrorHandler = int (*(*)(int (*)(void*)))(void*);
+using SetExitHandler = void (*)(void*, void (*)(void*, void*), void*);
+
+template <typename Function>
+Function loaded(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+}
+
+}  // namespace
+
+LostDisplay::LostDisplay(std::function<void()> last) : last_(std::move(last)) {
+  const auto displayOf = loaded<DisplayOf>("glfwGetX11Display");
+  const auto setError = loaded<SetErrorHandler>("XSetIOErrorHandler");
+  const auto setExit = loaded<SetExitHandler>("XSetIOErrorExitHandler");
+  if (displayOf == nullptr || setError == nullptr || setExit == nullptr) return;
+  display_ = displayOf();
+  if (display_ == nullptr) return;
+  // A request to a server that is gone must come back as an error: the signal would end the
+  // program without a word.
+  signal(SIGPIPE, SIG_IGN);
+  // The first is to tell the user, and does so in Xlib's own words unless there is another; then
+  // comes the second, which by itself is exit().
+  setError([](void*) { return 0; });
+  setExit(
+      display_, [](void*, void* self) { static_cast<LostDisplay*>(self)->end(); }, this);
+}
+
+LostDisplay::~LostDisplay() {
+  if (display_ == nullptr) return;
+  loaded<SetExitHandler>("XSetIOErrorExitHandler")(display_, nullptr, nullptr);
+}
+
+void LostDisplay::end() {
+  // Another thread, of a driver say, must not touch what belongs to this one.
+  if (std::this_thread::get_id() == thread_) {
+    if (const auto last = std::exchange(last_, nullptr)) last();
+  }
+  // Without the destructors of what uses the display.
+  std::_Exit(1);
+}
+
+}  // namespace vides
