@@ -8,6 +8,7 @@
 #include "app/drive/player.hpp"
 #include "edit/camera_tools.hpp"
 #include "host/open_host.hpp"
+#include "io/vid_writer.hpp"
 #include "support/files.hpp"
 #include "support/picture_check.hpp"
 
@@ -253,6 +254,78 @@ TEST(Editor, GoesOnWhileFramesAreWritten) {
   EXPECT_EQ(session.frameJob(), nullptr);
   EXPECT_EQ(player.editor().widgets().find("frames/progress"), nullptr);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+// So many keys on a spiral in the cube.
+Flight spiral(int count) {
+  Flight flight = newFlight();
+  std::vector<KeyPointer> keys;
+  for (int i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / (count - 1);
+    Key key = flight.keys[0];
+    key.position = {0.8 * std::cos(40.0 * share), 1.6 * share - 0.8, 0.8 * std::sin(40.0 * share)};
+    keys.emplace_back(std::move(key));
+  }
+  flight.keys = KeyList(std::move(keys));
+  return flight;
+}
+
+// What a drag has changed is shown in the display frame of the pointer's event: curve, length,
+// frames.
+TEST(Editor, EverythingFollowsADragInTheSameDisplayFrame) {
+  for (const int count : {2, 10000}) {
+    SCOPED_TRACE(count);
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "spiral.vid").string();
+    ASSERT_EQ(saveVid(spiral(count), file), std::nullopt);
+    Stage one = stage({1280, 800}, 1.0);
+    Player& player = *one.player;
+    ASSERT_TRUE(player.perform(Command("open", file)));
+    const std::size_t key = count == 2 ? 1 : 5000;
+    ASSERT_TRUE(player.perform(Command("make-current", static_cast<int>(key), 0)));
+    for (int i = 0; i < 5; ++i) player.frame();
+    const Session& session = player.editor().session();
+    const auto measure = [&](const char* id) {
+      return std::stod(player.editor().widgets().find(id)->value);
+    };
+    const Rect rect = player.editor().viewport();
+    const auto seen = [&] {
+      const Picture all = one.host->picture().value();
+      std::vector<std::uint8_t> bytes;
+      for (int y = static_cast<int>(rect.y); y < static_cast<int>(rect.bottom()); ++y) {
+        for (int x = static_cast<int>(rect.x); x < static_cast<int>(rect.right()); ++x) {
+          const auto pixel = all.pixel(x, y);
+          bytes.insert(bytes.end(), pixel.begin(), pixel.end());
+        }
+      }
+      return bytes;
+    };
+    const PixelRectangle pixels{static_cast<double>(rect.x), static_cast<double>(rect.y),
+                                static_cast<double>(rect.width), static_cast<double>(rect.height)};
+    const Vec2 place = viewProjection(session.view().view, pixels)
+                           .project(session.flight().keys[key].position)
+                           .value();
+    player.move(place.x, place.y);
+    player.button(PointerButton::kLeft, true);
+    player.move(place.x + 12.0, place.y);
+    auto before = seen();
+    for (const double by : {40.0, -60.0, 90.0}) {
+      const Vec3 from = session.flight().keys[key].position;
+      player.move(place.x + by, place.y - 20.0);
+      ASSERT_NE(session.flight().keys[key].position, from);
+      const Evaluation fresh(session.flight());
+      const double frames = static_cast<double>(fresh.frameCount());
+      EXPECT_NEAR(measure("measures/length"), fresh.length(), 0.00051) << by;
+      EXPECT_NEAR(measure("measures/duration"), frames / session.flight().frameRate, 0.0051) << by;
+      const auto now = seen();
+      EXPECT_NE(now, before) << by;
+      // Nothing comes later.
+      player.frame();
+      player.frame();
+      EXPECT_EQ(seen(), now) << by;
+      before = now;
+    }
+  }
 }
 
 TEST(Editor, SamePixelsTwice) {
