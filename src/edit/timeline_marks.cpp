@@ -12,7 +12,7 @@ std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const Time
   const std::int64_t last = evaluation.frameCount() - 1;
   const double right = range.frame(range.pixels);
   const auto add = [&](OrientationPlace place, std::int64_t frame) {
-    const bool key = evaluation.frameOf({place.key, 0}) == frame;
+    const bool key = place.orientation == 0 || evaluation.frameOf({place.key, 0}) == frame;
     if (key) place.orientation = 0;
     marks.push_back({place, frame, key});
   };
@@ -21,11 +21,11 @@ std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const Time
     const auto section = evaluation.sectionAtFrame(frame);
     if (!section) break;
     std::int64_t next = section->firstFrame + section->frames;
-    // Where a section has begun before, its mark shares a pixel with the one before.
+    // Where a section has begun before, its mark shares its pixels with the one before.
     const std::int64_t stands = evaluation.frameOf(section->from);
     if (stands >= frame && section->firstFrame >= frame) {
       add(section->from, stands);
-      const double apart = static_cast<double>(stands) + range.framesPerPixel;
+      const double apart = static_cast<double>(stands) + kLeastApart * range.framesPerPixel;
       next = std::max(next, static_cast<std::int64_t>(std::ceil(apart)));
     }
     if (next <= frame) break;  // the last frame of an open flight
@@ -40,6 +40,41 @@ std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const Time
     if (!there) add(end, evaluation.frameOf(end));
   }
   return marks;
+}
+
+std::vector<Section> timelineSections(const Evaluation& evaluation, const TimelineRange& range) {
+  std::vector<Section> sections;
+  const double right = range.frame(range.pixels);
+  auto frame = static_cast<std::int64_t>(std::max(0.0, std::floor(range.firstFrame)));
+  while (frame < evaluation.frameCount() && static_cast<double>(frame) < right) {
+    const auto section = evaluation.sectionAtFrame(frame);
+    if (!section) break;
+    sections.push_back(*section);
+    const double apart = static_cast<double>(frame) + kLeastApart * range.framesPerPixel;
+    const std::int64_t next = std::max(section->firstFrame + section->frames,
+                                       static_cast<std::int64_t>(std::ceil(apart)));
+    if (next <= frame) break;  // an open flight's last frame belongs to its last section
+    frame = next;
+  }
+  return sections;
+}
+
+void TimelineCache::follow(const Evaluation& evaluation, double framesPerPixel) {
+  const bool same = evaluation_ && evaluation_->sameAs(evaluation);
+  if (same && framesPerPixel_ == framesPerPixel && chunks_.size() < kMostChunks) return;
+  evaluation_ = evaluation;
+  framesPerPixel_ = framesPerPixel;
+  chunks_.clear();
+}
+
+const TimelineCache::Chunk& TimelineCache::chunk(std::int64_t number) {
+  const auto [at, fresh] = chunks_.try_emplace(number);
+  if (fresh) {
+    const TimelineRange range{static_cast<double>(number) * kChunkPixels * framesPerPixel_,
+                              framesPerPixel_, kChunkPixels};
+    at->second = {timelineSections(*evaluation_, range), timelineMarks(*evaluation_, range)};
+  }
+  return at->second;
 }
 
 std::optional<Section> sectionEndAt(const Evaluation& evaluation, const TimelineRange& range,

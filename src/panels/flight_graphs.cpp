@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace vides {
 namespace {
@@ -56,32 +57,41 @@ const std::vector<FlightGraphs::PathPoint>& FlightGraphs::path() {
   return path_;
 }
 
-const SpeedStrip& FlightGraphs::strip(std::int64_t firstFrame, double framesPerSample,
-                                      int samples) {
-  if (!strip_.speed.empty() && strip_.firstFrame == firstFrame &&
-      strip_.framesPerSample == framesPerSample &&
-      strip_.speed.size() == static_cast<std::size_t>(samples)) {
+const SpeedStrip& FlightGraphs::strip(std::int64_t first, double framesPerSample, int samples) {
+  const auto wanted = static_cast<std::size_t>(std::max(samples, 0));
+  const bool sameSteps = strip_.framesPerSample == framesPerSample;
+  if (!strip_.speed.empty() && sameSteps && strip_.first == first &&
+      strip_.speed.size() == wanted) {
     return strip_;
   }
-  strip_ = {firstFrame, framesPerSample, {}, {}, 0.0f, 0.0f};
+  SpeedStrip old;
+  std::swap(old, strip_);
+  strip_.first = first;
+  strip_.framesPerSample = framesPerSample;
+  strip_.speed.reserve(wanted);
+  strip_.angularSpeed.reserve(wanted);
   const double fps = evaluation_->flight().frameRate;
   const std::int64_t last = evaluation_->frameCount() - 1;
   std::optional<std::int64_t> before;
-  for (int i = 0; i < samples; ++i) {
+  for (std::int64_t i = first; i < first + samples; ++i) {
     const auto n = std::clamp<std::int64_t>(
-        firstFrame + static_cast<std::int64_t>(std::floor(i * framesPerSample)), 0,
+        static_cast<std::int64_t>(std::floor(static_cast<double>(i) * framesPerSample)), 0,
         std::max<std::int64_t>(0, last - 1));
-    if (before == n) {  // zoomed in: several pixels a frame
+    const auto there = static_cast<std::size_t>(i - old.first);
+    if (sameSteps && i >= old.first && there < old.speed.size()) {
+      strip_.speed.push_back(old.speed[there]);
+      strip_.angularSpeed.push_back(old.angularSpeed[there]);
+    } else if (before == n) {  // zoomed in: several samples a frame
       strip_.speed.push_back(strip_.speed.back());
       strip_.angularSpeed.push_back(strip_.angularSpeed.back());
-      continue;
+    } else {
+      const Camera a = evaluation_->frame(n).camera;
+      const Camera b = evaluation_->frame(std::min(n + 1, last)).camera;
+      const Vec3 step = b.viewReferencePoint - a.viewReferencePoint;
+      strip_.speed.push_back(static_cast<float>(glm::length(step) * fps));
+      strip_.angularSpeed.push_back(static_cast<float>(degrees(rotationBetween(a, b)) * fps));
     }
     before = n;
-    const Camera a = evaluation_->frame(n).camera;
-    const Camera b = evaluation_->frame(std::min(n + 1, last)).camera;
-    const Vec3 step = b.viewReferencePoint - a.viewReferencePoint;
-    strip_.speed.push_back(static_cast<float>(glm::length(step) * fps));
-    strip_.angularSpeed.push_back(static_cast<float>(degrees(rotationBetween(a, b)) * fps));
   }
   for (const float v : strip_.speed) strip_.mostSpeed = std::max(strip_.mostSpeed, v);
   for (const float v : strip_.angularSpeed) {

@@ -13,7 +13,7 @@ namespace vides {
 
 // Speed and angular speed at places of the timeline.
 struct SpeedStrip {
-  std::int64_t firstFrame = 0;
+  std::int64_t first = 0;  // sample i is that of the frame (first + i) · framesPerSample
   double framesPerSample = 1.0;
   std::vector<float> speed;         // cube units per second
   std::vector<float> angularSpeed;  // degrees per second
@@ -35,8 +35,9 @@ class FlightGraphs {
   static constexpr std::int64_t kMostPath = 720;
   const std::vector<PathPoint>& path();
 
-  // Between two frames, a sample a pixel.
-  const SpeedStrip& strip(std::int64_t firstFrame, double framesPerSample, int samples);
+  // Samples so far apart, from the one numbered `first` on. Those that were there at the last call
+  // are kept, so that scrolling measures only what comes into sight.
+  const SpeedStrip& strip(std::int64_t first, double framesPerSample, int samples);
 
   // Nothing while it is still being measured.
   const std::optional<Quality>& quality() const { return quality_; }

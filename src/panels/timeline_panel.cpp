@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "edit/timeline_marks.hpp"
 #include "panels/left_panels.hpp"
+#include "panels/timeline_runs.hpp"
 
 namespace vides {
 namespace {
@@ -228,11 +230,21 @@ void dragEnd(Ui& ui, const Rect& row, const Track& track, const Session& session
   if (!state.held) finish(Phase::kCommit);
 }
 
+// What is known of the pieces that are seen, from left to right.
+void forEachChunk(const Track& track, TimelineView& view,
+                  const std::function<void(const TimelineCache::Chunk&)>& tell) {
+  const double frames = TimelineCache::kChunkPixels * track.framesPerPixel;
+  const auto number = [&](float x) {
+    return static_cast<std::int64_t>(std::floor(std::max(0.0, track.frame(x)) / frames));
+  };
+  for (std::int64_t n = number(track.left - 1.0f); n <= number(track.right + 1.0f); ++n) {
+    tell(view.cache.chunk(n));
+  }
+}
+
 // From left to right, never more bars than pixels: what is narrower shares a pixel.
 void sections(Ui& ui, const Rect& row, const Track& track, const Session& session,
               TimelineView& view, Actions& actions) {
-  const Evaluation& evaluation = session.evaluation();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
   // A little wider than the bars, so that the last end can be held from outside.
   const float reach = ui.px(4);
   const auto state =
@@ -241,46 +253,49 @@ void sections(Ui& ui, const Rect& row, const Track& track, const Session& sessio
   dragEnd(ui, row, track, session, state, view, actions);
   const float pointer = ImGui::GetIO().MousePos.x;
   std::optional<Rect> currentBar;
-  auto frame = static_cast<std::int64_t>(std::max(0.0, std::floor(track.firstFrame)));
-  while (frame < track.frames && track.x(static_cast<double>(frame)) < track.right) {
-    const auto section = evaluation.sectionAtFrame(frame);
-    if (!section) break;
-    const double end = static_cast<double>(section->firstFrame + section->frames);
-    const float left = std::max(track.left, track.x(static_cast<double>(section->firstFrame)));
-    const float right = std::min(track.right, track.x(end));
-    const float gap = right - left > 3.0f * ui.scale() ? 0.5f * ui.scale() : 0.0f;
+  BarRuns bars(ui);
+  std::int64_t before = -1;
+  const auto draw = [&](const Section& section) {
+    const double end = static_cast<double>(section.firstFrame + section.frames);
+    const float left = std::max(track.left, track.x(static_cast<double>(section.firstFrame)));
+    const float whole = std::min(track.right, track.x(end));
+    // What is narrower than the next is away stands for what lies between.
+    const float right =
+        std::min(track.right, std::max(whole, left + static_cast<float>(kLeastApart)));
+    if (whole < track.left || left >= track.right) return;
+    const bool narrow = right - left <= 3.0f * ui.scale();
+    const float gap = narrow ? 0.0f : 0.5f * ui.scale();
     const Rect bar{left + gap, row.y, right - left - 2 * gap, row.height};
     const bool hovered = state.hovered && pointer >= left && pointer < right;
-    ui.fill(bar, roleOf(section->kind), 2.0f, hovered ? 1.0 : 0.85);
-    const bool current = section->from == session.current() && section->kind != SectionKind::kHold;
+    bars.add(bar, section.kind, narrow, hovered);
+    const bool current = section.from == session.current() && section.kind != SectionKind::kHold;
     if (current) currentBar = bar;
-    const std::string words = kindWord(ui, section->kind);
-    if (ui.textWidth(words, Weight::kSmall) + ui.px(12) <= bar.width) {
+    const std::string words = narrow ? std::string() : kindWord(ui, section.kind);
+    if (!words.empty() && ui.textWidth(words, Weight::kSmall) + ui.px(12) <= bar.width) {
       ui.text({bar.x + ui.px(6), bar.y, bar.width - ui.px(12), bar.height}, words,
               {.weight = Weight::kSmall});
     }
     if (hovered && state.released && !dragged) {
-      actions.run(Command("make-current", section->from.key, section->from.orientation));
+      actions.run(Command("make-current", section.from.key, section.from.orientation));
     }
-    const std::int64_t next = std::max(static_cast<std::int64_t>(end),
-                                       static_cast<std::int64_t>(std::ceil(track.frame(right))));
-    // An open flight's last frame belongs to its last section.
-    if (next <= frame) break;
-    frame = next;
-  }
-  if (currentBar) {
-    list.AddRect({currentBar->x, currentBar->y}, {currentBar->right(), currentBar->bottom()},
-                 ui.colour(ColourRole::kAccent), 2.0f * ui.scale(), 0, 1.6f * ui.scale());
-  }
+  };
+  forEachChunk(track, view, [&](const TimelineCache::Chunk& chunk) {
+    for (const Section& section : chunk.sections) {
+      if (section.index > before) draw(section);
+      before = std::max(before, section.index);
+    }
+  });
+  bars.end();
+  if (currentBar) ui.outline(*currentBar, ColourRole::kAccent, 2.0f, 1.6f);
 }
 
-void marks(Ui& ui, const Rect& row, const Track& track, const Session& session, Actions& actions) {
+void marks(Ui& ui, const Rect& row, const Track& track, const Session& session, TimelineView& view,
+           Actions& actions) {
   const Evaluation& evaluation = session.evaluation();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto state = ui.area("timeline/marks", row);
   const float pointer = ImGui::GetIO().MousePos.x;
-  const double first = track.frame(row.x), apart = track.framesPerPixel;
   std::optional<OrientationPlace> clicked;
+  MarkRuns dots(ui, row.centreY());
   float best = ui.px(6);
   const auto mark = [&](const OrientationPlace& place, std::int64_t frame, bool isKey,
                         ColourRole role) {
@@ -290,22 +305,19 @@ void marks(Ui& ui, const Rect& row, const Track& track, const Session& session, 
       best = std::abs(pointer - x);
       clicked = place;
     }
-    const bool selected = isKey && session.selected().contains(place.key);
-    const float radius = ui.scale() * (isKey ? 3.6f : 2.2f);
-    list.AddCircleFilled({x, row.centreY()}, radius, ui.colour(role));
-    if (selected && session.selected().size() > 1) {
-      list.AddCircle({x, row.centreY()}, radius + 2.0f * ui.scale(), ui.colour(role), 0,
-                     1.2f * ui.scale());
-    }
+    const bool ringed =
+        isKey && session.selected().size() > 1 && session.selected().contains(place.key);
+    dots.add(x, isKey, ringed, role);
   };
-  for (const TimelineMark& m :
-       timelineMarks(evaluation, {first, apart, static_cast<double>(row.width)})) {
-    mark(m.place, m.frame, m.key, ColourRole::kKey);
-  }
+  forEachChunk(track, view, [&](const TimelineCache::Chunk& chunk) {
+    for (const TimelineMark& m : chunk.marks) mark(m.place, m.frame, m.key, ColourRole::kKey);
+  });
+  dots.end();
   // The current one is seen among however many.
   const OrientationPlace current = session.current();
   const std::int64_t frame = evaluation.frameOf(current);
   mark(current, frame, evaluation.frameOf({current.key, 0}) == frame, ColourRole::kAccent);
+  dots.end();
   if (clicked) actions.run(Command("make-current", clicked->key, clicked->orientation));
 }
 
@@ -313,15 +325,20 @@ void strip(Ui& ui, const Rect& row, const Track& track, FlightGraphs& graphs) {
   if (row.height < ui.px(8)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double end = std::min(static_cast<double>(track.frames - 1), track.frame(track.right));
-  const int samples = static_cast<int>((end - track.firstFrame) / track.framesPerPixel) + 1;
-  if (samples < 2) return;
-  const SpeedStrip& speeds = graphs.strip(static_cast<std::int64_t>(std::floor(track.firstFrame)),
-                                          track.framesPerPixel, samples);
+  // A sample a pixel, each always at the same frame while the flight is scrolled; every other one
+  // where several frames share a pixel anyway.
+  const float apart = track.framesPerPixel > 4.0 ? 2.0f : 1.0f;
+  const double step = static_cast<double>(apart) * track.framesPerPixel;
+  const auto first = static_cast<std::int64_t>(std::ceil(track.firstFrame / step));
+  const auto past = static_cast<std::int64_t>(std::floor(end / step)) + 1;
+  if (past - first < 2) return;
+  const SpeedStrip& speeds = graphs.strip(first, step, static_cast<int>(past - first));
+  const float left = track.x(static_cast<double>(first) * step);
   std::vector<ImVec2> points(speeds.speed.size());
   const auto draw = [&](const std::vector<float>& values, float most, ColourRole role) {
     if (most <= 0.0f) most = 1.0f;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      points[i] = {track.left + static_cast<float>(i),
+      points[i] = {left + apart * static_cast<float>(i),
                    row.bottom() - ui.px(2) - (row.height - ui.px(4)) * values[i] / most};
     }
     list.AddPolyline(points.data(), static_cast<int>(points.size()), ui.colour(role), 0,
@@ -431,9 +448,10 @@ void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraph
   const Rect rulerRow{track.left, row.bottom() + ui.px(low ? 2 : 4), width, ui.px(low ? 24 : 30)};
   ruler(ui, rulerRow, track, session.flight().frameRate);
   const Rect bars{track.left, rulerRow.bottom() + ui.px(2), width, ui.px(low ? 18 : 20)};
+  view.cache.follow(session.evaluation(), track.framesPerPixel);
   sections(ui, bars, track, session, view, actions);
   const Rect markRow{track.left - ui.px(8), bars.bottom() + ui.px(1), width + ui.px(16), ui.px(12)};
-  marks(ui, markRow, track, session, actions);
+  marks(ui, markRow, track, session, view, actions);
   const Rect stripRow{track.left, markRow.bottom() + ui.px(2), width,
                       rect.bottom() - ui.px(low ? 6 : 8) - markRow.bottom() - ui.px(2)};
   strip(ui, stripRow, track, graphs);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "edit/session.hpp"
+#include "edit/timeline_marks.hpp"
 #include "panels/actions.hpp"
 #include "panels/flight_graphs.hpp"
 #include "panels/ui.hpp"
@@ -29,6 +30,7 @@ struct TimelineView {
     bool previewed = false;
   };
   std::optional<EndDrag> end;
+  TimelineCache cache;
 };
 
 void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraphs& graphs,

@@ -105,14 +105,20 @@ void Ui::valueRow(const Rect& box, std::string_view id, std::string_view label,
   registerWidget(id, label, WidgetKind::kText, box, true, value);
 }
 
+float roundingOf(const Rect& rect, float radius) {
+  const float rounding = std::min(radius, 0.5f * std::min(rect.width, rect.height) - 1.0f);
+  return rounding < 0.5f ? 0.0f : rounding;
+}
+
 void Ui::fill(const Rect& rect, ColourRole role, float radius, double opacity) {
   ImGui::GetWindowDrawList()->AddRectFilled({rect.x, rect.y}, {rect.right(), rect.bottom()},
-                                            colour(role, opacity), radius * scale());
+                                            colour(role, opacity),
+                                            roundingOf(rect, radius * scale()));
 }
 
 void Ui::outline(const Rect& rect, ColourRole role, float radius, float width) {
   ImGui::GetWindowDrawList()->AddRect({rect.x, rect.y}, {rect.right(), rect.bottom()}, colour(role),
-                                      radius * scale(), 0, width * scale());
+                                      roundingOf(rect, radius * scale()), 0, width * scale());
 }
 
 void Ui::icon(Icon icon, const Rect& box, ColourRole role) {

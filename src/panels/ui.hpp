@@ -103,6 +103,10 @@ using ShortcutHint = std::function<std::string(std::string_view commandLine)>;
 // A number as typed by the user; nothing where it is none.
 using NumberParser = std::function<std::optional<double>(std::string_view)>;
 
+// How round a rectangle's corners can be: at most `radius`, and none rather than less than half a
+// pixel. With a rounding of a millionth Dear ImGui 1.86 divides by zero.
+float roundingOf(const Rect& rect, float radius);
+
 class Ui {
  public:
   struct Setting {

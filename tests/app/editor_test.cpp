@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/drive/player.hpp"
 #include "edit/camera_tools.hpp"
 #include "host/open_host.hpp"
 #include "io/vid_writer.hpp"
+#include "panels/ui.hpp"
 #include "support/files.hpp"
 #include "support/picture_check.hpp"
 
@@ -39,6 +41,16 @@ void openPyramid(Player& player) {
   ASSERT_TRUE(player.perform(Command("open", file)));
   ASSERT_TRUE(player.perform(Command("make-current", 2, 0)));
   for (int i = 0; i < 5; ++i) player.frame();
+}
+
+// Dear ImGui divides by zero where a rectangle is 2.000001 pixels wide and round.
+TEST(Ui, ARoundingIsNoneOrAtLeastHalfAPixel) {
+  for (float width = 0.0f; width < 3.5f; width = std::nextafter(width + 1e-5f, 4.0f)) {
+    const float rounding = roundingOf({0.0f, 0.0f, width, 20.0f}, 2.0f);
+    ASSERT_TRUE(rounding == 0.0f || rounding >= 0.5f) << width;
+    ASSERT_EQ(roundingOf({0.0f, 0.0f, 20.0f, width}, 2.0f), rounding) << width;
+  }
+  EXPECT_EQ(roundingOf({0.0f, 0.0f, 20.0f, 20.0f}, 2.0f), 2.0f);
 }
 
 TEST(Editor, LooksAsItDid) {

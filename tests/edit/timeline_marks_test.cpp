@@ -50,12 +50,48 @@ TEST(TimelineMarks, NoMoreThanPixelsInALargeFlight) {
   for (const double share : {1.0, 0.1, 0.001}) {
     const TimelineRange range{last * 0.3 * (1.0 - share), last * share / 1200.0, 1200.0};
     const auto marks = timelineMarks(evaluation, range);
-    EXPECT_LE(marks.size(), 1202u);
-    EXPECT_GT(marks.size(), share == 1.0 ? 1000u : 50u);
+    EXPECT_LE(marks.size(), 602u);
+    EXPECT_GT(marks.size(), share == 1.0 ? 500u : 50u);
     for (std::size_t i = 1; i < marks.size(); ++i) {
       EXPECT_GT(marks[i].frame, marks[i - 1].frame);
       EXPECT_GE(range.x(static_cast<double>(marks[i].frame)), -1e-9);
     }
+  }
+}
+
+// Scrolled or not, every section and every mark that is seen is there once, in its place.
+TEST(TimelineMarks, TheCacheKnowsWhatIsLookedUpAnew) {
+  Session session;
+  makeFive(session);
+  TimelineCache cache;
+  for (const double framesPerPixel : {0.05, 0.31, 3.0}) {
+    const Evaluation& evaluation = session.evaluation();
+    cache.follow(evaluation, framesPerPixel);
+    std::vector<std::int64_t> sections, marks;
+    const double frames = static_cast<double>(evaluation.frameCount());
+    const auto chunks =
+        static_cast<std::int64_t>(frames / framesPerPixel / TimelineCache::kChunkPixels) + 1;
+    for (std::int64_t n = 0; n < chunks; ++n) {
+      for (const Section& section : cache.chunk(n).sections) {
+        if (sections.empty() || sections.back() != section.index) sections.push_back(section.index);
+      }
+      for (const TimelineMark& mark : cache.chunk(n).marks) {
+        if (marks.empty() || marks.back() != mark.frame) marks.push_back(mark.frame);
+      }
+    }
+    EXPECT_EQ(sections.size(), static_cast<std::size_t>(evaluation.sectionCount()));
+    std::vector<std::int64_t> all;
+    for (const TimelineMark& mark :
+         timelineMarks(evaluation, {0.0, framesPerPixel, frames / framesPerPixel})) {
+      all.push_back(mark.frame);
+    }
+    EXPECT_EQ(marks, all);
+    // What is edited is seen.
+    run(session, "make-current 0 0");
+    run(session, "set-hold 2");
+    cache.follow(session.evaluation(), framesPerPixel);
+    EXPECT_EQ(cache.chunk(0).sections.front().kind, SectionKind::kHold);
+    run(session, "undo");
   }
 }
 
