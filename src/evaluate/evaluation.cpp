@@ -3,6 +3,7 @@
 #include "evaluate/evaluation.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -264,6 +265,24 @@ Vec3 Evaluation::piecePoint(std::size_t k, double fraction) const {
 }
 
 const void* Evaluation::pieceIdentity(std::size_t k) const { return state_->tree[k]->piece.get(); }
+
+void Evaluation::forEachPiece(std::size_t first, std::size_t last,
+                              const PieceVisitor& visit) const {
+  std::size_t k = first;
+  state_->tree.forEach(first, std::min(last, pieceCount()), [&](const RecordPointer& record) {
+    visit(k++, record.piece(), record.piece()->curve);
+  });
+}
+
+std::vector<Evaluation::PieceRange> Evaluation::changedPieces(const Evaluation& other) const {
+  assert(other.state_->tree.size() == state_->tree.size());
+  std::vector<PieceRange> ranges;
+  for (const auto& change : EvaluationTree::changes(other.state_->tree, state_->tree)) {
+    const std::size_t last = std::min(change.newLast, pieceCount());
+    if (change.first < last) ranges.push_back({change.first, last});
+  }
+  return ranges;
+}
 
 const SpeedCurve& Evaluation::speedCurve(const OrientationPlace& place) const {
   return state_->tree[place.key]->sections[place.orientation].speed;

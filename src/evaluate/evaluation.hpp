@@ -14,8 +14,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "evaluate/section.hpp"
 #include "flight/flight.hpp"
@@ -74,6 +76,17 @@ class Evaluation {
   // Changes when the piece is recomputed, stays when it is shared between evaluations: a key for
   // caches of what is drawn. Valid while some evaluation that holds the piece lives.
   const void* pieceIdentity(std::size_t k) const;
+  // All at once for the pieces [first, last): much quicker than asking for one after the other.
+  using PieceVisitor =
+      std::function<void(std::size_t k, const void* identity, const CubicSegment& piece)>;
+  void forEachPiece(std::size_t first, std::size_t last, const PieceVisitor& visit) const;
+  // Ranges [first, last) of pieces, ascending, outside which all pieces are those of `other`, a
+  // flight with as many keys. In time proportional to what the two do not share.
+  struct PieceRange {
+    std::size_t first = 0;
+    std::size_t last = 0;
+  };
+  std::vector<PieceRange> changedPieces(const Evaluation& other) const;
 
   // The speed curve as it is used: with its neighbours' ends, limited.
   const SpeedCurve& speedCurve(const OrientationPlace& place) const;

@@ -117,6 +117,7 @@ class RecordPointer {
   const KeyRecord* operator->() const { return record_.get(); }
   const KeyRecord* get() const { return record_.get(); }
   const CurvePiece* piece() const { return piece_; }
+  bool operator==(const RecordPointer& other) const { return record_ == other.record_; }
 
  private:
   std::shared_ptr<const KeyRecord> record_;

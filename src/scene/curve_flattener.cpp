@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <utility>
 
 namespace vides {
 namespace {
@@ -110,6 +111,12 @@ double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
   return glm::length(p - a - share * way);
 }
 
+// Both show every piece at the same scale.
+bool sameView(const ViewProjection& a, const ViewProjection& b) {
+  return a.perspective() == b.perspective() && a.pixels() == b.pixels() &&
+         a.matrix() == b.matrix() && a.mappingMatrix() == b.mappingMatrix();
+}
+
 Vec3 toVec3(const GeometryPoint& p) { return {p.x, p.y, p.z}; }
 
 }  // namespace
@@ -132,22 +139,48 @@ bool mayBeSeen(const ViewProjection& view, const Vec3& low, const Vec3& high, do
   return std::ranges::none_of(outside, [](bool all) { return all; });
 }
 
+// The chunks that hold one of the changed pieces or stand beside one.
+void CurveFlattener::updateChunks(const std::vector<Evaluation::PieceRange>& changed) {
+  const std::size_t count = pieces_.size();
+  std::size_t i = 0;
+  for (Chunk& chunk : chunks_) {
+    const std::size_t first = chunk.first, last = first + chunk.pieces();
+    while (i < changed.size() && changed[i].last < first) ++i;
+    const bool near = i < changed.size() && changed[i].first <= last;
+    // Of a closed flight the first and the last one are neighbours.
+    const bool atSeam = first == 0 || last == count;
+    if ((near || atSeam) && !fits(chunk, first)) make(chunk);
+  }
+}
+
 void CurveFlattener::update(const Evaluation& evaluation, const ViewProjection& view) {
   const Scale scale(view);
   rebuilt_ = 0;
   const bool sameEvaluation = !chunks_.empty() && evaluation_.sameAs(evaluation);
-  const bool sameScale = scale.common() && scale.common() == commonLevel_;
+  const bool sameScale =
+      scale.common() ? scale.common() == commonLevel_ : !commonLevel_ && sameView(view, view_);
+  const Evaluation old = std::exchange(evaluation_, evaluation);
   commonLevel_ = scale.common();
-  evaluation_ = evaluation;
   view_ = view;
   if (sameEvaluation && sameScale) return;
-  closed_ = evaluation.flight().closed;
   const std::size_t count = evaluation.pieceCount();
   const std::size_t before = pieces_.size();
-  pieces_.resize(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    pieces_[k] = {evaluation.pieceIdentity(k), scale.level(evaluation.piece(k))};
+  const bool sameKeys = evaluation.flight().keys.size() == old.flight().keys.size();
+  const auto look = [&](std::size_t first, std::size_t last) {
+    evaluation.forEachPiece(first, last,
+                            [&](std::size_t k, const void* identity, const CubicSegment& piece) {
+                              pieces_[k] = {identity, scale.level(piece)};
+                            });
+  };
+  if (sameScale && sameKeys && !chunks_.empty() && closed_ == evaluation.flight().closed) {
+    const auto changed = evaluation.changedPieces(old);
+    for (const auto& range : changed) look(range.first, range.last);
+    updateChunks(changed);
+    return;
   }
+  closed_ = evaluation.flight().closed;
+  pieces_.resize(count);
+  look(0, count);
 
   if (count == before) {
     for (Chunk& chunk : chunks_) {

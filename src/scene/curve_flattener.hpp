@@ -59,6 +59,7 @@ class CurveFlattener {
   Piece pieceAt(std::ptrdiff_t index) const;
   std::vector<Piece> signatureOf(std::size_t first, std::size_t count) const;
   bool fits(const Chunk& chunk, std::size_t first) const;
+  void updateChunks(const std::vector<Evaluation::PieceRange>& changed);
   void divide(std::size_t first, std::size_t last, std::vector<Chunk>& chunks);
   void make(Chunk& chunk);
   double nearestParameter(std::size_t piece, const Vec2& pixel) const;

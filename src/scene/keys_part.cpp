@@ -14,6 +14,8 @@ constexpr double kHoverStep = 1.5;
 // Crosses nearer to each other than this cannot be told apart.
 constexpr double kDenseCell = 5.0;
 constexpr std::size_t kMostNumbers = 250;
+// So many keys that changed are looked up one by one.
+constexpr std::size_t kFewChanged = 64;
 
 // A map of what a cross has already been drawn in.
 class Density {
@@ -55,34 +57,68 @@ bool ViewportContext::sees(const Vec2& pixel, double margin) const {
          pixel.y <= r.y + r.height + margin;
 }
 
-void KeysPart::find(const ViewportContext& context) {
+std::optional<KeysPart::Place> KeysPart::placeOf(const ViewportContext& context, std::size_t index,
+                                                 const Key& key) const {
+  const auto pixel = context.view().project(key.position);
+  if (!pixel || !context.sees(*pixel, 0.0)) return std::nullopt;
+  return Place{index, *pixel, geometryPoint(key.position)};
+}
+
+void KeysPart::findAll(const ViewportContext& context) {
   seen_.clear();
-  if (!context.input.shown.keys) return;
   std::size_t index = 0;
   context.flight().keys.forEach([&](const Key& key) {
-    const auto pixel = context.view().project(key.position);
-    if (pixel && context.sees(*pixel, 0.0)) {
-      seen_.push_back({index, *pixel});
-      context.list.handles.push_back(
-          {{HandleKind::kKey, index, 0, Axis::X}, *pixel, 10.0 * context.handleScale()});
-    }
+    if (const auto place = placeOf(context, index, key)) seen_.push_back(*place);
     ++index;
   });
+}
+
+bool KeysPart::findChanged(const ViewportContext& context) {
+  const KeyList& keys = context.flight().keys;
+  const ViewProjection& view = context.view();
+  if (keys.size() != keys_.size() || view.matrix() != view_.matrix() ||
+      view.pixels() != view_.pixels()) {
+    return false;
+  }
+  const auto changes = KeyList::Sequence::changes(keys_.sequence(), keys.sequence());
+  std::size_t count = 0;
+  for (const auto& change : changes) count += change.newLast - change.first;
+  if (count > kFewChanged) return false;
+  for (const auto& change : changes) {
+    for (std::size_t k = change.first; k < change.newLast; ++k) {
+      auto at = std::ranges::lower_bound(seen_, k, {}, &Place::key);
+      if (at != seen_.end() && at->key == k) at = seen_.erase(at);
+      if (const auto place = placeOf(context, k, keys[k])) seen_.insert(at, *place);
+    }
+  }
+  return true;
+}
+
+void KeysPart::find(const ViewportContext& context) {
+  if (!context.input.shown.keys) {
+    seen_.clear();
+    keys_ = {};
+    return;
+  }
+  if (!findChanged(context)) findAll(context);
+  keys_ = context.flight().keys;
+  view_ = context.view();
+  const Vec2 half{5.0 * context.handleScale()};
   for (const Place& place : seen_) {
-    const Vec2 half{5.0 * context.handleScale()};
+    context.list.handles.push_back(
+        {{HandleKind::kKey, place.key, 0, Axis::X}, place.pixel, 10.0 * context.handleScale()});
     context.labels.blockBox(place.pixel - half, place.pixel + half, kBlockedByMark);
   }
 }
 
 void KeysPart::addCrosses(const ViewportContext& context) {
   if (!context.input.shown.keys) return;
-  const auto& keys = context.flight().keys;
   const std::size_t current = context.input.state.current.key;
   Density density(context.view().pixels(), kDenseCell * context.scale());
   std::vector<GeometryPoint> points;
   for (const Place& place : seen_) {
     if (place.key == current || !density.take(place.pixel)) continue;
-    points.push_back(geometryPoint(keys[place.key].position));
+    points.push_back(place.point);
   }
   DrawItem item;
   item.depth = DrawDepth::kOnTop;
@@ -144,14 +180,15 @@ void KeysPart::addNumber(const ViewportContext& context, const Place& place, boo
 void KeysPart::addNumbers(const ViewportContext& context) const {
   if (!context.input.shown.keys || !context.input.shown.numbers) return;
   const std::size_t current = context.input.state.current.key;
-  for (const Place& place : seen_) {
-    if (place.key == current) addNumber(context, place, true);
-  }
+  const auto own = std::ranges::lower_bound(seen_, current, {}, &Place::key);
+  if (own != seen_.end() && own->key == current) addNumber(context, *own, true);
   // Of many every 10th, 100th, … and the first.
   std::size_t step = 1;
   while (seen_.size() / step > kMostNumbers) step *= 10;
+  std::size_t round = step;
   for (const Place& place : seen_) {
-    const bool counts = step == 1 || place.key == 0 || (place.key + 1) % step == 0;
+    while (round < place.key + 1) round += step;
+    const bool counts = place.key == 0 || place.key + 1 == round;
     if (place.key != current && counts) addNumber(context, place, false);
   }
 }

@@ -24,13 +24,16 @@ LabelPlacer::LabelPlacer(const PixelRectangle& area, double cell) : area_(area),
   covered_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
 }
 
+// Without std::floor: this is asked some thousand times for each display frame.
+int LabelPlacer::cellOf(double value, double origin, int count) const {
+  const double share = (value - origin) / cell_;
+  if (!(share >= 0.0)) return -1;
+  return share >= count ? count : static_cast<int>(share);
+}
+
 LabelPlacer::Cells LabelPlacer::cellsOf(const Vec2& low, const Vec2& high) const {
-  const auto cell = [&](double value, double origin, int count) {
-    return static_cast<int>(
-        std::clamp(std::floor((value - origin) / cell_), -1.0, static_cast<double>(count)));
-  };
-  return {cell(low.x, area_.x, columns_), cell(low.y, area_.y, rows_),
-          cell(high.x, area_.x, columns_), cell(high.y, area_.y, rows_)};
+  return {cellOf(low.x, area_.x, columns_), cellOf(low.y, area_.y, rows_),
+          cellOf(high.x, area_.x, columns_), cellOf(high.y, area_.y, rows_)};
 }
 
 void LabelPlacer::blockBox(const Vec2& low, const Vec2& high, std::uint8_t weight) {
@@ -61,7 +64,10 @@ void LabelPlacer::blockLine(const Vec2& from, const Vec2& to, std::uint8_t weigh
   const int steps = 1 + static_cast<int>(glm::length(way) * (end - begin) / cell_);
   for (int i = 0; i <= steps; ++i) {
     const Vec2 p = from + (begin + (end - begin) * i / steps) * way;
-    blockBox(p, p, weight);
+    const int x = cellOf(p.x, area_.x, columns_), y = cellOf(p.y, area_.y, rows_);
+    if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
+    auto& covered = covered_[static_cast<std::size_t>(y * columns_ + x)];
+    covered = std::max(covered, weight);
   }
 }
 

@@ -29,6 +29,8 @@ class LabelPlacer {
   struct Cells {
     int left, top, right, bottom;
   };
+  // The column or row of a place, -1 before the first one, `count` behind the last.
+  int cellOf(double value, double origin, int count) const;
   Cells cellsOf(const Vec2& low, const Vec2& high) const;
   int cost(const Vec2& low, const Vec2& high) const;
 

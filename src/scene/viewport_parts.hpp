@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "scene/cube_part.hpp"
@@ -71,11 +72,20 @@ class KeysPart {
   struct Place {
     std::size_t key;
     Vec2 pixel;
+    GeometryPoint point;
   };
+  std::optional<Place> placeOf(const ViewportContext& context, std::size_t index,
+                               const Key& key) const;
+  void findAll(const ViewportContext& context);
+  // Whether what was found last holds but for a few keys; these are looked up again.
+  bool findChanged(const ViewportContext& context);
   void addMarks(const ViewportContext& context);
   void addNumber(const ViewportContext& context, const Place& place, bool current) const;
 
-  std::vector<Place> seen_;
+  std::vector<Place> seen_;  // ascending
+  // What they were found for.
+  KeyList keys_;
+  ViewProjection view_;
   GeometrySlot crosses_, selected_, current_, hovered_;
 };
 

@@ -52,6 +52,48 @@ using test::Random;
   return ::testing::AssertionSuccess();
 }
 
+// What is asked for all at once is what is asked for one by one, and outside the changed ranges the
+// pieces are the other evaluation's.
+void expectPiecesTogether(const Evaluation& now, const Evaluation& before) {
+  std::size_t next = 0;
+  now.forEachPiece(0, now.pieceCount() + 5,
+                   [&](std::size_t k, const void* identity, const CubicSegment& piece) {
+                     EXPECT_EQ(k, next++);
+                     EXPECT_EQ(identity, now.pieceIdentity(k));
+                     EXPECT_EQ(&piece, &now.piece(k));
+                   });
+  EXPECT_EQ(next, now.pieceCount());
+  if (now.flight().keys.size() != before.flight().keys.size()) return;
+  std::size_t same = 0;
+  for (const auto& range : now.changedPieces(before)) {
+    ASSERT_LE(same, range.first);
+    ASSERT_LT(range.first, range.last);
+    ASSERT_LE(range.last, now.pieceCount());
+    for (; same < std::min(range.first, before.pieceCount()); ++same) {
+      ASSERT_EQ(now.pieceIdentity(same), before.pieceIdentity(same));
+    }
+    same = range.last;
+  }
+  for (; same < std::min(now.pieceCount(), before.pieceCount()); ++same) {
+    ASSERT_EQ(now.pieceIdentity(same), before.pieceIdentity(same));
+  }
+}
+
+TEST(IncrementalEvaluation, PiecesTogetherAreThePiecesOneByOne) {
+  Random random(17);
+  for (int round = 0; round < 20; ++round) {
+    Flight flight = test::randomFlight(random, {.nasty = false, .mostKeys = 14});
+    while (flight.keys.size() < 120) flight.keys.push_back(test::randomKey(random, false));
+    Evaluation evaluation(flight);
+    for (int edit = 0; edit < 20; ++edit) {
+      test::editRandomly(random, flight, false);
+      const Evaluation updated = evaluation.updated(flight);
+      expectPiecesTogether(updated, evaluation);
+      evaluation = updated;
+    }
+  }
+}
+
 // 10,000 edits of each kind of flight, 20 on end each.
 void followEdits(bool nasty) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {

@@ -618,6 +618,51 @@ TEST(ViewportScene, ManyKeysAreThinnedButAllCanBePicked) {
 }
 
 // Ends of lines at the current key: thirds of the tangents by Kochanek and Bartels' formulas.
+void expectSame(const DrawList& kept, const DrawList& fresh) {
+  ASSERT_EQ(kept.handles.size(), fresh.handles.size());
+  for (std::size_t i = 0; i < fresh.handles.size(); ++i) {
+    ASSERT_EQ(kept.handles[i].id, fresh.handles[i].id) << i;
+    ASSERT_EQ(kept.handles[i].pixel, fresh.handles[i].pixel) << i;
+  }
+  ASSERT_EQ(kept.texts.size(), fresh.texts.size());
+  for (std::size_t i = 0; i < fresh.texts.size(); ++i) {
+    ASSERT_EQ(kept.texts[i].text, fresh.texts[i].text) << i;
+    ASSERT_EQ(kept.texts[i].pixel, fresh.texts[i].pixel) << i;
+  }
+  ASSERT_EQ(kept.items.size(), fresh.items.size());
+  for (std::size_t i = 0; i < fresh.items.size(); ++i) {
+    ASSERT_TRUE(kept.items[i].geometry->points == fresh.items[i].geometry->points) << i;
+  }
+}
+
+// What is kept from one display frame to the next is never what was.
+TEST(ViewportScene, AfterAnyEditIsTheSameAsFromScratch) {
+  Random random(31);
+  for (int round = 0; round < 6; ++round) {
+    Flight flight = sixKeys();
+    while (flight.keys.size() < 150) flight.keys.push_back(test::randomKey(random, false));
+    flight.closed = round % 2 == 1;
+    ViewportInput input = inputOf(flight);
+    input.view = randomEditorView(random);
+    ViewportScene kept;
+    for (int step = 0; step < 40; ++step) {
+      // One key, or so many that none is looked up alone; now and then the view or what is shown.
+      for (int i = test::chance(random, 0.1) ? 100 : test::integer(random, 0, 3); i > 0; --i) {
+        const auto k = static_cast<std::size_t>(test::integer(random, 0, 149));
+        Key key = flight.keys[k];
+        key.position = 1.5 * random.inCube();
+        flight.keys.set(k, std::move(key));
+      }
+      if (test::chance(random, 0.1)) input.view = randomEditorView(random);
+      if (test::chance(random, 0.1)) input.shown.keys = !input.shown.keys;
+      if (test::chance(random, 0.1)) flight.closed = !flight.closed;
+      input.evaluation = input.evaluation.updated(flight);
+      ViewportScene scratch;
+      expectSame(kept.build(input), scratch.build(input));
+    }
+  }
+}
+
 TEST(ViewportScene, TangentsAtTheCurrentKey) {
   Flight flight = sixKeys();
   Key key = flight.keys[2];
