@@ -12,8 +12,9 @@ void BarRuns::add(const Rect& bar, SectionKind kind, bool narrow, bool hovered) 
     return;
   }
   end();
-  if (hovered) {
-    ui_.fill(bar, roleOf(kind), 2.0f);
+  // At once, since its words come on top of it.
+  if (hovered || !narrow) {
+    ui_.fill(bar, roleOf(kind), 2.0f, hovered ? 1.0 : 0.85);
     return;
   }
   run_ = bar;
