@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "app/messages.hpp"
 #include "app/offscreen_editor.hpp"
+#include "app/output.hpp"
 
 namespace vides {
 namespace {
@@ -45,6 +46,16 @@ int runScreenshot(const ScreenshotCommand& command) {
   if (!picture) {
     tell(picture.error());
     return kFailed;
+  }
+  if (command.output == "-") {
+    const auto bytes = encodePng(*picture);
+    if (!bytes) {
+      tell(bytes.error());
+      return kFailed;
+    }
+    Output output;
+    output.write(*bytes);
+    return output.finish() ? kExitDone : kFailed;
   }
   if (const auto written = writePng(*picture, command.output); !written) {
     tell(written.error());

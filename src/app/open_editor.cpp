@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <future>
 #include <limits>
+#include <string_view>
 #include <thread>
 
 #include "app/assets.hpp"
@@ -93,8 +95,12 @@ void runWindow(Host& host, Editor& editor, UserFiles& userFiles, RecoveryKeeper&
   }
 }
 
+// `./dev run` without arguments asks for something to see even where there is no display.
 int noWindow(const std::string& why, bool flightGiven) {
-  if (!flightGiven) return writeSampleFrames();
+  const char* const instead = std::getenv("VIDES_WITHOUT_DISPLAY");
+  if (!flightGiven && instead != nullptr && std::string_view(instead) == "sample") {
+    return writeSampleFrames();
+  }
   tell(why);
   tell(
       "these commands need no display: vides frames, vides info, vides check, vides screenshot, "

@@ -7,6 +7,7 @@
 #include "edit/command_table.hpp"
 #include "edit/folder.hpp"
 #include "edit/frame_job.hpp"
+#include "edit/place_text.hpp"
 #include "flight/validation.hpp"
 #include "io/vid_reader.hpp"
 
@@ -46,6 +47,7 @@ void Session::reset(Flight flight) {
   history_.clear();
   gesture_.reset();
   window_.reset();
+  windowOpening_.reset();
   std::erase(windows_, "shape");  // what it would go back to is gone
   playback_.stop();
   playback_.goTo(0);
@@ -115,6 +117,9 @@ std::optional<Text> Session::obstacle(const Command& command) const {
   if (specification.exclusive && gesture_ && !gesture_->window) return "refusal.in-gesture";
   if (specification.exclusive && question_) return "refusal.answer-first";
   if (specification.available != nullptr && !specification.available(*this)) {
+    if (command.name == "use-view" || command.name == "new-key-from-view") {
+      return "refusal.no-free-view";
+    }
     return Text("refusal.not-available", {Text(specification.titleKey())});
   }
   return std::nullopt;
@@ -139,17 +144,16 @@ void Session::say(MessageKind kind, Text text) { output_ = {kind, std::move(text
 // --- Changing the flight ---
 
 std::optional<Text> Session::problemWith(const Flight& flight) const {
-  const auto told = [](const Problem& problem) { return Text("refusal.problem", {problem}); };
   if (!sameButKeys(flight, state_.flight)) {
     if (const auto problems = checkAllButKeys(flight); !problems.empty()) {
-      return told(problems.front());
+      return refusalOf(problems.front());
     }
   }
   if (!limits::kKeys.contains(flight.keys.size())) return Text("refusal.too-many-keys");
   for (const auto& change :
        KeyList::Sequence::changes(state_.flight.keys.sequence(), flight.keys.sequence())) {
     for (std::size_t k = change.first; k < change.newLast; ++k) {
-      if (const auto problem = checkKey(flight, k)) return told(*problem);
+      if (const auto problem = checkKey(flight, k)) return refusalOf(*problem);
     }
   }
   return std::nullopt;
@@ -218,6 +222,7 @@ void Session::beginWindow(std::string stepKey) {
 
 void Session::interruptWindow() {
   const std::string window = gesture_->step.key;
+  if (windowChanged() && !windowOpening_) windowOpening_ = gesture_->start;
   commit();
   window_ = window;
 }

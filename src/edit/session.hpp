@@ -242,6 +242,8 @@ class Session {
   bool toldOfDisk_ = false;
   std::optional<Gesture> gesture_;
   std::optional<std::string> window_;  // the step of the window's gesture that is interrupted
+  // At the window's opening, where another edit has made a step of what it had changed.
+  std::optional<EditState> windowOpening_;
   Playback playback_;
   std::optional<Camera> freeCamera_;
   ViewState view_;

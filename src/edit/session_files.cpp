@@ -14,10 +14,6 @@ namespace {
 
 using Result = SessionActions::Result;
 
-std::string withEnding(const std::string& path) {
-  return path.ends_with(".vid") ? path : path + ".vid";
-}
-
 Text problemText(const char* key, const std::string& path, const std::vector<Problem>& problems) {
   if (problems.size() == 1) return Text(key, {fileName(path), problems.front()});
   return Text(std::string(key) + "-more", {fileName(path), problems.front(), problems.size() - 1});
@@ -177,7 +173,7 @@ Result SessionActions::saveAs(Session& session, const Arguments& arguments) {
     openWindow(session, "chooser-save");
     return {};
   }
-  return saveFile(session, withEnding(arguments.text(0)));
+  return saveFile(session, arguments.text(0));
 }
 
 Result SessionActions::saveFile(Session& session, const std::string& path) {

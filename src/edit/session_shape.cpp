@@ -4,7 +4,9 @@
 // What is chosen and moved is seen on the curve at once, at the current key. Another shape for a
 // preset is first tried there, as the key's own: only `shape-show` (or -ok) gives it to the preset,
 // and with it to every key that has it. Where another edit ends the window's step before, the key
-// keeps what is seen, and no other key changes.
+// keeps what is seen, and no other key changes; Cancel then goes back to the opening by a step.
+#include <utility>
+
 #include "edit/key_edits.hpp"
 #include "edit/session_actions.hpp"
 
@@ -50,6 +52,11 @@ void SessionActions::beginShape(Session& session) {
 void SessionActions::endShape(Session& session) {
   if (session.inWindow()) session.cancel();
   session.window_.reset();
+  if (!session.windowOpening_) return;
+  // Steps were made since: one more goes back to the opening, and can be undone like them.
+  const EditState opening = *std::exchange(session.windowOpening_, std::nullopt);
+  const Edit back{opening.flight, "step.cancel-shape", opening.marks, "output.shape-cancelled"};
+  static_cast<void>(session.apply(back));
 }
 
 Result SessionActions::shapeChoose(Session& session, const Arguments& arguments) {
@@ -99,6 +106,7 @@ Result SessionActions::shapeShow(Session& session, const Arguments&) {
 Result SessionActions::shapeOk(Session& session, const Arguments& arguments) {
   if (auto done = shapeShow(session, arguments); !done) return done;
   session.commit();
+  session.windowOpening_.reset();
   hideWindow(session, "shape");
   return {};
 }

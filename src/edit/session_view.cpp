@@ -290,6 +290,11 @@ void SessionActions::hideWindow(Session& session, const std::string& name) {
 }
 
 Result SessionActions::showWindow(Session& session, const Arguments& arguments) {
+  // Asking how many makes no sense where there is no place for any.
+  if (arguments.text(0) == "insert-keys" && !session.flight().closed &&
+      session.current().key + 1 == session.flight().keys.size()) {
+    return tl::unexpected(Text("refusal.after-last-key"));
+  }
   openWindow(session, arguments.text(0));
   return {};
 }

@@ -131,7 +131,7 @@ void sizeSlider(Ui& ui, const Rect& row, const Session& session, const ElementSi
           {.weight = Weight::kSemibold, .align = Align::kRight});
   if (!change) return;
   const double unit = std::pow(10.0, size.decimals);
-  const double rounded = std::round(change->value * unit) / unit;
+  const double rounded = change->typed ? change->value : std::round(change->value * unit) / unit;
   actions.run(Command("element-size", std::string(size.name), rounded));
 }
 

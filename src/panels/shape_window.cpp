@@ -105,7 +105,7 @@ void parameterRow(Ui& ui, const Rect& row, const char* name, double value, Actio
   if (change) {
     const double hundredths = std::round(change->value * 100.0) / 100.0;
     actions.run(
-        Command("shape-set", name, change->phase == Phase::kCancel ? change->value : hundredths));
+        Command("shape-set", name, change->phase == Phase::kPreview ? hundredths : change->value));
   }
   const auto typed =
       ui.field(id + "_value", number, value, {.decimals = 2, .weight = Weight::kSemibold});

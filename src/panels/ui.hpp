@@ -36,6 +36,7 @@ enum class Phase { kPreview, kCommit, kCancel };
 struct ValueChange {
   double value = 0.0;
   Phase phase = Phase::kCommit;
+  bool typed = false;  // then all digits count, and it may lie outside the slider's range
 };
 
 struct ButtonStyle {

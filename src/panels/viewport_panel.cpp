@@ -33,7 +33,7 @@ std::optional<EditorView> viewportSliders(Ui& ui, const Rect& rect, const Sessio
   if (const auto change = ui.slider(
           "view/size", size, view.size,
           {.least = kMinViewSize, .most = kMaxViewSize, .logarithmic = true, .decimals = 2})) {
-    next.size = change->value;
+    next.size = std::clamp(change->value, kMinViewSize, kMaxViewSize);
   }
   if (const auto change =
           ui.slider("view/turn", turn, view.turn,

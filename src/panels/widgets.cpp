@@ -344,7 +344,7 @@ std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, dou
   if (memory.editing == id) {
     const Typed typed = typeNumber(id, typingBox);
     if (!typed.value) return std::nullopt;
-    return ValueChange{std::clamp(*typed.value, style.least, style.most), Phase::kCommit};
+    return ValueChange{*typed.value, Phase::kCommit, true};
   }
 
   const Press state = press(id, rect, WidgetKind::kSlider, style.enabled);

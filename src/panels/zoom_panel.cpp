@@ -18,7 +18,7 @@ void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) 
     if (change) {
       // Dragged, it goes in tenths: what is shown is what is kept.
       const double tenths = std::round(change->value * 10.0) / 10.0;
-      actions.during(Command("set-zoom", change->phase == Phase::kCancel ? change->value : tenths),
+      actions.during(Command("set-zoom", change->phase == Phase::kPreview ? tenths : change->value),
                      change->phase);
     }
     const Lens& lens = session.flight().lens;

@@ -134,10 +134,20 @@ class Order(ProgramTest):
             self.assertEqual((self.folder / out).read_bytes(), wanted)
 
 
+# As `./dev run` starts it.
+def sample(**changes):
+    return environment(VIDES_WITHOUT_DISPLAY="sample", **changes)
+
+
 class WithoutDisplay(ProgramTest):
+    def test_it_is_told(self):
+        self.refused(status=1, says=["no display", "vides frames", "vides info", "vides check",
+                                     "vides screenshot", "vides drive"])
+        self.assert_folder_empty()
+
     def test_no_arguments_write_the_sample(self):
         for _ in range(2):  # over the first one's file, too
-            text = self.output_of().decode()
+            text = self.output_of(env=sample()).decode()
             for word in ("out/pyramid.txt", "778", "Around the pyramid", "vides info",
                          "vides frames", "vides check", "--help"):
                 self.assertIn(word, text)
@@ -147,7 +157,7 @@ class WithoutDisplay(ProgramTest):
                              (FLIGHTS / "pyramid-smooth.frames.txt").read_bytes())
 
     def test_what_it_says_to_try_works(self):
-        text = self.output_of().decode()
+        text = self.output_of(env=sample()).decode()
         tried = 0
         for line in text.splitlines():
             if line.startswith("  vides ") and "FLIGHT" not in line:
@@ -160,16 +170,16 @@ class WithoutDisplay(ProgramTest):
         (self.folder / "flights").mkdir()
         (self.folder / "flights" / "pyramid.vid").write_bytes(
             (FLIGHTS / "two-keys.vid").read_bytes())
-        text = self.output_of(env=environment(VIDES_ASSETS=str(self.folder)))
+        text = self.output_of(env=sample(VIDES_ASSETS=str(self.folder)))
         self.assertIn(b"101 frames", text)
         self.refused(status=1, says="flights/pyramid.vid",
-                     env=environment(VIDES_ASSETS=str(self.folder / "nowhere")))
+                     env=sample(VIDES_ASSETS=str(self.folder / "nowhere")))
 
     def test_a_folder_that_a_shell_would_split_is_quoted(self):
         flights = self.folder / "Anna's new $films" / "flights"
         flights.mkdir(parents=True)
         (flights / "pyramid.vid").write_bytes((FLIGHTS / "two-keys.vid").read_bytes())
-        for line in self.output_of(env=environment(
+        for line in self.output_of(env=sample(
                 VIDES_ASSETS=str(flights.parent))).decode().splitlines():
             if line.startswith("  vides info"):
                 self.assertEqual(shlex.split(line)[2:],
@@ -179,7 +189,7 @@ class WithoutDisplay(ProgramTest):
 
     def test_out_is_in_the_way(self):
         (self.folder / "out").write_text("mine")
-        self.refused(status=1, says="out")
+        self.refused(status=1, says="out", env=sample())
         self.assertEqual((self.folder / "out").read_text(), "mine")
 
     def test_a_flight_needs_a_display(self):

@@ -6,6 +6,7 @@ import os
 import pty
 import select
 import signal
+import struct
 import subprocess
 import time
 
@@ -154,6 +155,36 @@ class Frames(ProgramTest):
             os.close(reader)
             self.assertEqual(process.communicate(timeout=120)[1], b"")
             self.assertEqual(process.returncode, -signal.SIGPIPE, ignored)
+
+
+class Screenshot(ProgramTest):
+    def size_of(self, picture):
+        self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+        return struct.unpack(">II", picture[16:24])
+
+    def test_to_a_file_and_to_standard_output(self):
+        out = self.folder / "shot.png"
+        self.assertEqual(self.output_of("screenshot", PYRAMID, "-o", out), b"")
+        self.assertEqual(self.size_of(out.read_bytes()), (1280, 800))
+        self.assertEqual(self.output_of("screenshot", PYRAMID, "-o", "-"), out.read_bytes())
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["shot.png"])
+
+    def test_each_view_is_another_picture_of_the_size(self):
+        pictures = {self.output_of("screenshot", PYRAMID, "-o", "-", "--size", "320x200", *view)
+                    for view in (["--view", "front"], ["--view", "side"], ["--view", "top"],
+                                 ["--view", "iso"], ["--view", "camera"], ["--whole-window"],
+                                 ["--view", "camera", "--frame", "298"])}
+        self.assertEqual(len(pictures), 7)
+        self.assertEqual({self.size_of(picture) for picture in pictures}, {(320, 200)})
+
+    def test_what_cannot_be_is_refused(self):
+        self.refused("screenshot", PYRAMID, "-o", "a.png", "--frame", "778", status=1,
+                     says=["778", "777"])
+        self.refused("screenshot", PYRAMID, "-o", "no/a.png", status=1, says="no/a.png")
+        self.refused("screenshot", "none.vid", "-o", "a.png", status=1, says="none.vid")
+        self.refused("screenshot", PYRAMID, "-o", "a.png", "--view", "below", status=2,
+                     says="below")
+        self.assert_folder_empty()
 
 
 class Interrupted(ProgramTest):

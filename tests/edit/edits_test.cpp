@@ -191,7 +191,7 @@ TEST(FlightEdits, ATypedShapeIsOwn) {
   run(session, "set-bias 0.25");
   EXPECT_EQ(session.currentKey().shape.preset, KeyShape::kOwn);
   EXPECT_EQ(session.currentKey().shape.own, (Shape{-0.3, 0.0, 0.25}));
-  refused(session, "set-tension 1.01", "refusal.problem");
+  refused(session, "set-tension 1.01", "refusal.at");
   refused(session, "set-preset 10", "refusal.preset");
 }
 

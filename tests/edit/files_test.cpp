@@ -17,7 +17,7 @@ TEST_F(Files, SavedIsWhatIsRead) {
   Session session;
   makeFive(session);
   EXPECT_EQ(session.title(), Text("title.modified", {Text("title.untitled")}));
-  run(session, "save-as " + path("first"));  // .vid is added
+  run(session, "save-as " + path("first.vid"));
   EXPECT_FALSE(session.modified());
   EXPECT_EQ(session.title(), Text("title.saved", {"first.vid"}));
   EXPECT_EQ(fileText(path("first.vid")), writeVid(session.flight()));

@@ -39,12 +39,12 @@ TEST(Session, EditIsAStepThatCanBeTakenBack) {
 
 TEST(Session, RefusalChangesNothingAndIsTold) {
   Session session;
-  refused(session, "move-key 0 1.5 0 0", "refusal.problem");
+  refused(session, "move-key 0 1.5 0 0", "refusal.at");
   EXPECT_EQ(session.output().kind, MessageKind::kRefusal);
   refused(session, "move-key 7 0 0 0", "refusal.no-such-key");
-  refused(session, "set-zoom 0.5", "refusal.problem");
+  refused(session, "set-zoom 0.5", "refusal.at");
   refused(session, "set-rates 1e6 100 100 1e7", "refusal.problem");
-  refused(session, "set-aim -0.5 0.2 0.8", "refusal.problem");  // on the key
+  refused(session, "set-aim -0.5 0.2 0.8", "refusal.at");  // on the key
   refused(session, "undo", "refusal.not-available");
   // Told until something else is done.
   run(session, "next-key");

@@ -130,10 +130,48 @@ TEST(ShapeWindow, AnotherEditEndsTheStepAsItIsSeen) {
   EXPECT_EQ(session.flight().presets, newFlight().presets);
   EXPECT_EQ(session.chosenPreset(), KeyShape::kOwn);
   EXPECT_EQ(session.currentKey().shape.own, (Shape{-0.25, 0, 0}));
-  const Flight after = session.flight();
+}
+
+// The window lies beside everything else: what it is asked to take back may have become steps.
+TEST(ShapeWindow, CancelGoesBackToTheOpeningPastOtherEdits) {
+  Session session;
+  begin(session);
+  const Flight opening = session.flight();
+  const std::size_t steps = session.history().steps();
+  run(session, "shape-set tension -0.25");
+  run(session, "shape-show");
+  run(session, "set-zoom 44");
   run(session, "shape-set tension 1");
+  run(session, "move-key 4 0.5 0.5 0.5");
+  const Flight edited = session.flight();
+  EXPECT_NE(edited, opening);
   run(session, "shape-cancel");
-  EXPECT_EQ(session.flight(), after);
+  EXPECT_EQ(session.flight(), opening);
+  EXPECT_EQ(session.output().text, Text("output.shape-cancelled"));
+  // As a step: nothing is lost.
+  EXPECT_EQ(session.history().steps(), steps + 5);
+  EXPECT_EQ(session.undoName(), Text("menu.undo", {Text("step.cancel-shape")}));
+  run(session, "undo");
+  EXPECT_EQ(session.flight(), edited);
+}
+
+// OK keeps it, and a window that has changed nothing takes nothing back.
+TEST(ShapeWindow, OnlyItsOwnChangesAreTakenBack) {
+  Session session;
+  begin(session);
+  run(session, "set-zoom 44");
+  const Flight zoomed = session.flight();
+  run(session, "shape-set tension -0.25");
+  run(session, "shape-cancel");
+  EXPECT_EQ(session.flight(), zoomed);
+  run(session, "show-window shape");
+  run(session, "shape-set tension -0.25");
+  run(session, "set-zoom 45");
+  run(session, "shape-ok");
+  const Flight kept = session.flight();
+  run(session, "show-window shape");
+  run(session, "shape-cancel");
+  EXPECT_EQ(session.flight(), kept);
 }
 
 TEST(ShapeWindow, UndoTakesBackWhatThePreviewShows) {
@@ -213,7 +251,7 @@ TEST(ShapeWindow, ARefusedValueChangesNothing) {
   Session session;
   begin(session);
   const Flight before = session.flight();
-  refused(session, "shape-set tension 1.5", "refusal.problem");
+  refused(session, "shape-set tension 1.5", "refusal.at");
   EXPECT_EQ(session.flight(), before);
   EXPECT_FALSE(session.triesPreset());
 }

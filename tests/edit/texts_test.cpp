@@ -11,10 +11,12 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "edit/command_table.hpp"
 #include "edit/display.hpp"
+#include "edit/place_text.hpp"
 #include "edit/shortcuts.hpp"
 #include "flight/utf8.hpp"
 
@@ -138,6 +140,38 @@ TEST(Texts, ProblemsAreToldInTheLanguage) {
             "/keys/1/orientations/0/zoom: expected a number from 1 to 100, found 250");
   EXPECT_EQ(Texts(Language::kGerman).tell(Text("refusal.problem", {problem})),
             "/keys/1/orientations/0/zoom: erwartet: eine Zahl von 1 bis 100; gefunden: 250");
+}
+
+// In the window places are told in its words, counted as it counts.
+TEST(Texts, PlacesInAKeyAreWords) {
+  Problem problem;
+  problem.code = ProblemCode::kOutOfRange;
+  problem.expected.kind = Expected::kNumber;
+  problem.expected.min = 1;
+  problem.expected.max = 100;
+  problem.found = "250";
+  const Texts english(Language::kEnglish), german(Language::kGerman);
+  const std::string wrong = ": expected a number from 1 to 100, found 250";
+  const std::pair<const char*, const char*> places[] = {
+      {"/keys/1/orientations/0/zoom", "Key 2, orientation 1, zoom"},
+      {"/keys/0/position/0", "Key 1, position x"},
+      {"/keys/11/position", "Key 12, position"},
+      {"/keys/2/orientations/9/aim/2", "Key 3, orientation 10, aim z"},
+      {"/keys/2/orientations/1/speed/0", "Key 3, orientation 2, speed 1"},
+      {"/keys/2/orientations/1/duration", "Key 3, orientation 2, duration"},
+      {"/keys/2/shape/bias", "Key 3, bias"},
+      {"/rates/move", "/rates/move"},
+      {"/keys", "/keys"},
+      {"/keys/2/orientations", "/keys/2/orientations"},
+      {"/keys/x/position/0", "/keys/x/position/0"},
+      {"/keys/1/position/7", "/keys/1/position/7"}};
+  for (const auto& [pointer, words] : places) {
+    problem.pointer = pointer;
+    EXPECT_EQ(english.tell(refusalOf(problem)), words + wrong);
+  }
+  problem.pointer = "/keys/0/position/1";
+  EXPECT_EQ(german.tell(refusalOf(problem)),
+            "St\u00fctzpunkt 1, Position y: erwartet: eine Zahl von 1 bis 100; gefunden: 250");
 }
 
 TEST(Texts, WhatALanguageLacksIsToldInEnglish) {

@@ -38,6 +38,14 @@ std::map<std::string, Widget> allWidgets(Player& player) {
     }
     player.perform(Command("close-window", window));
   }
+  // The answers to all questions: which are asked depends on what happened.
+  for (const char* answer : {"save", "discard", "cancel", "overwrite", "save-as", "enlarge",
+                             "recover", "forget", "later", "stop"}) {
+    Widget& widget = all[std::string("question/") + answer];
+    widget.id = std::string("question/") + answer;
+    widget.label = player.editor().words(Text(std::string("answer.") + answer));
+    widget.kind = WidgetKind::kButton;
+  }
   return all;
 }
 
