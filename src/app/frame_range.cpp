@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <limits>
 
 namespace vides {
 
@@ -19,6 +20,20 @@ std::optional<std::int64_t> parseFrameNumber(std::string_view text) {
   return number;
 }
 
+namespace {
+
+// An end of a range is clipped to the flight, however large it is: of digits alone every number is
+// one.
+std::optional<std::int64_t> parseEnd(std::string_view text) {
+  if (text.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc::result_out_of_range) return std::numeric_limits<std::int64_t>::max();
+  return error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
 tl::expected<FrameRange, std::string> parseFrameRange(std::string_view text) {
   const auto refuse = [&](std::string_view why) {
     return tl::unexpected(fmt::format("'{}' {}", text, why));
@@ -27,13 +42,13 @@ tl::expected<FrameRange, std::string> parseFrameRange(std::string_view text) {
   if (colon == std::string_view::npos) return refuse("is not of the form A:B");
   FrameRange range;
   if (const auto part = text.substr(0, colon); !part.empty()) {
-    const auto first = parseFrameNumber(part);
-    if (!first || *first < 0) return refuse("does not begin with a frame number");
+    const auto first = parseEnd(part);
+    if (!first) return refuse("does not begin with a frame number");
     range.first = *first;
   }
   if (const auto part = text.substr(colon + 1); !part.empty()) {
-    const auto last = parseFrameNumber(part);
-    if (!last || *last < 0) return refuse("does not end with a frame number");
+    const auto last = parseEnd(part);
+    if (!last) return refuse("does not end with a frame number");
     range.last = *last;
   }
   if (range.first >= range.last) return refuse("is empty: A:B takes frames A <= n < B");

@@ -180,8 +180,13 @@ Result SessionActions::saveFile(Session& session, const std::string& path) {
   namespace fs = std::filesystem;
   const std::string from = session.path();
   std::error_code error;
+  const std::vector<SceneFile>& scenes = session.flight().scene;
+  // Scenes are named from where the flight lies: anew where it goes elsewhere, or where it was read
+  // with a whole path.
   const bool moves =
       from.empty() ||
+      std::any_of(scenes.begin(), scenes.end(),
+                  [](const SceneFile& scene) { return fs::path(scene.file).is_absolute(); }) ||
       fs::weakly_canonical(fs::absolute(path), error).parent_path() != fs::path(from).parent_path();
   Flight flight = session.flight();
   if (moves) moveScenePaths(flight, from, path);

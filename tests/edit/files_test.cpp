@@ -223,6 +223,21 @@ TEST_F(Files, ScenePathsStayRelativeToTheFlight) {
   EXPECT_FALSE(session.modified());
 }
 
+// A flight written by hand may name its scene by a whole path.
+TEST_F(Files, AWholePathOfASceneBecomesARelativeOne) {
+  fs::create_directories(folder_ / "scenes");
+  Flight flight = newFlight();
+  flight.scene.push_back({fs::canonical(folder_).string() + "/scenes/none.obj", {}});
+  writeFile(path("a.vid"), writeVid(flight));
+  Session session;
+  run(session, "open " + path("a.vid"));
+  EXPECT_EQ(session.flight(), flight);
+  run(session, "save");
+  EXPECT_EQ(session.flight().scene[0].file, "scenes/none.obj");
+  EXPECT_EQ(fileText(path("a.vid")), writeVid(session.flight()));
+  EXPECT_FALSE(session.modified());
+}
+
 TEST_F(Files, TheRecentOnesAreFewAndNewestFirst) {
   Session session;
   for (int i = 0; i < 13; ++i) run(session, "save-as " + path(std::to_string(i) + ".vid"));
