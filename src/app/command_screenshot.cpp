@@ -47,21 +47,14 @@ int runScreenshot(const ScreenshotCommand& command) {
     tell(picture.error());
     return kFailed;
   }
-  if (command.output == "-") {
-    const auto bytes = encodePng(*picture);
-    if (!bytes) {
-      tell(bytes.error());
-      return kFailed;
-    }
-    Output output;
-    output.write(*bytes);
-    return output.finish() ? kExitDone : kFailed;
-  }
-  if (const auto written = writePng(*picture, command.output); !written) {
-    tell(written.error());
+  const auto bytes = encodePng(*picture);
+  if (!bytes) {
+    tell(fmt::format("{}: {}", command.output, bytes.error()));
     return kFailed;
   }
-  return kExitDone;
+  Output output(command.output);
+  output.write(*bytes);
+  return output.finish() ? kExitDone : kFailed;
 }
 
 }  // namespace vides

@@ -54,8 +54,8 @@ void addAct(Table& table, const char* name, std::vector<Argument> arguments, Act
 }
 // An act that must not run within a gesture or before a question is answered.
 void addExclusive(Table& table, const char* name, std::vector<Argument> arguments, ActFunction run,
-                  AvailableFunction available = nullptr) {
-  table.push_back({name, std::move(arguments), run, true, available});
+                  AvailableFunction available = nullptr, const char* why = nullptr) {
+  table.push_back({name, std::move(arguments), run, true, available, why});
 }
 
 void addFileCommands(Table& t) {
@@ -198,8 +198,9 @@ void addViewCommands(Table& t) {
 }
 
 void addCameraCommands(Table& t) {
-  addExclusive(t, "use-view", {}, Acts::useView, hasFreeCamera);
-  addExclusive(t, "new-key-from-view", {}, Acts::newKeyFromView, hasFreeCamera);
+  addExclusive(t, "use-view", {}, Acts::useView, hasFreeCamera, "refusal.no-free-view");
+  addExclusive(t, "new-key-from-view", {}, Acts::newKeyFromView, hasFreeCamera,
+               "refusal.no-free-view");
   addAct(t, "leave-view", {}, Acts::leaveView, hasFreeCamera);
   addAct(t, "set-free-view",
          {number("X"), number("Y"), number("Z"), number("VPN_X"), number("VPN_Y"), number("VPN_Z"),

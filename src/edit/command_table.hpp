@@ -44,6 +44,7 @@ struct CommandSpecification {
   // An act that must not run within a gesture or before a question is answered; edits never do.
   bool exclusive = false;
   AvailableFunction available = nullptr;  // null: always; else menus grey it, and it is refused
+  const char* why = nullptr;              // with this text where not with "not possible now"
 
   // Key into the translation table: "command.insert-key".
   std::string titleKey() const { return "command." + name; }

@@ -117,9 +117,7 @@ std::optional<Text> Session::obstacle(const Command& command) const {
   if (specification.exclusive && gesture_ && !gesture_->window) return "refusal.in-gesture";
   if (specification.exclusive && question_) return "refusal.answer-first";
   if (specification.available != nullptr && !specification.available(*this)) {
-    if (command.name == "use-view" || command.name == "new-key-from-view") {
-      return "refusal.no-free-view";
-    }
+    if (specification.why != nullptr) return specification.why;
     return Text("refusal.not-available", {Text(specification.titleKey())});
   }
   return std::nullopt;

@@ -5,8 +5,7 @@
 namespace vides {
 
 void BarRuns::add(const Rect& bar, SectionKind kind, bool narrow, bool hovered) {
-  const bool joins =
-      run_ && narrow && narrow_ && !hovered && kind == kind_ && bar.x <= run_->right() + 0.5f;
+  const bool joins = run_ && narrow && !hovered && kind == kind_ && bar.x <= run_->right() + 0.5f;
   if (joins) {
     run_->width = bar.right() - run_->x;
     return;
@@ -19,7 +18,6 @@ void BarRuns::add(const Rect& bar, SectionKind kind, bool narrow, bool hovered) 
   }
   run_ = bar;
   kind_ = kind;
-  narrow_ = narrow;
 }
 
 void BarRuns::end() {

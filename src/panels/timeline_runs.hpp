@@ -22,7 +22,6 @@ class BarRuns {
   Ui& ui_;
   std::optional<Rect> run_;
   SectionKind kind_ = SectionKind::kMove;
-  bool narrow_ = false;
 };
 
 // Marks of keys and orientations; equal ones that overlap, as one long one.

@@ -12,15 +12,19 @@ std::map<std::string, Widget> allWidgets(Player& player) {
   const auto collect = [&] {
     for (const auto& [id, widget] : player.editor().widgets().widgets()) all[id] = widget;
   };
+  // One that is on screen at times only.
+  const auto add = [&](const std::string& id, std::string label, WidgetKind kind) {
+    Widget& widget = all[id];
+    widget.id = id;
+    widget.label = std::move(label);
+    widget.kind = kind;
+  };
   player.frame();
   collect();
   for (const Menu& menu : menus()) {
     for (const MenuEntry& entry : menu.entries) {
       if (entry.id.empty()) continue;
-      Widget& widget = all[entry.id];
-      widget.id = entry.id;
-      widget.label = player.editor().label(entry.id);
-      widget.kind = WidgetKind::kMenuItem;
+      add(entry.id, player.editor().label(entry.id), WidgetKind::kMenuItem);
     }
   }
   const CommandSpecification* show = findCommand("show-window");
@@ -41,10 +45,8 @@ std::map<std::string, Widget> allWidgets(Player& player) {
   // The answers to all questions: which are asked depends on what happened.
   for (const char* answer : {"save", "discard", "cancel", "overwrite", "save-as", "enlarge",
                              "recover", "forget", "later", "stop"}) {
-    Widget& widget = all[std::string("question/") + answer];
-    widget.id = std::string("question/") + answer;
-    widget.label = player.editor().words(Text(std::string("answer.") + answer));
-    widget.kind = WidgetKind::kButton;
+    add(std::string("question/") + answer,
+        player.editor().words(Text(std::string("answer.") + answer)), WidgetKind::kButton);
   }
   return all;
 }
