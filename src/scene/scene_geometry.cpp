@@ -14,9 +14,9 @@ void finishScene(SceneGeometry& scene) {
     if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
   }
   std::erase_if(scene.edges, [](const auto& edge) { return edge[0] == edge[1]; });
-  std::ranges::sort(scene.edges);
-  const auto doubles = std::ranges::unique(scene.edges);
-  scene.edges.erase(doubles.begin(), doubles.end());
+  std::sort(scene.edges.begin(), scene.edges.end());
+  // std::ranges::unique gives a subrange, which clang 14 (fuzzing, tidy) cannot compile.
+  scene.edges.erase(std::unique(scene.edges.begin(), scene.edges.end()), scene.edges.end());
 
   scene.box.reset();
   for (const Vec3& p : scene.positions) {
