@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <ctime>
 
-#include "io/atomic_file.hpp"
+#include "flight/limits.hpp"
+#include "io/json_reader.hpp"
+#include "io/read_file.hpp"
 #include "io/vid_reader.hpp"
 #include "io/vid_writer.hpp"
 
@@ -23,7 +25,7 @@ namespace fs = std::filesystem;
 // The document's path stands in the flight itself, in a member that readers keep and don't
 // understand: so the file is written at once or not at all. A path is any bytes: what isn't plain
 // is written as %XX.
-constexpr std::string_view kPathMember = "\"x_vides_unsaved_path\"";
+constexpr std::string_view kPathMember = "x_vides_unsaved_path";
 
 std::string encoded(const std::string& path) {
   std::string out;
@@ -38,38 +40,55 @@ std::string encoded(const std::string& path) {
   return out;
 }
 
-std::string decoded(const std::string& text) {
+// The number of a digit of sixteen; nothing for other characters.
+std::optional<unsigned> hexDigit(char c) {
+  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
+  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A') + 10;
+  return std::nullopt;
+}
+
+// Nothing where encoded() can't have written it.
+std::optional<std::string> decoded(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%' || i + 2 >= text.size()) {
-      out += text[i];
-      continue;
+    char c = text[i];
+    if (c == '%') {
+      if (i + 2 >= text.size()) return std::nullopt;
+      const auto high = hexDigit(text[i + 1]), low = hexDigit(text[i + 2]);
+      if (!high || !low) return std::nullopt;
+      c = static_cast<char>(*high * 16 + *low);
+      i += 2;
+    } else if (c == '"' || c == '\\') {
+      return std::nullopt;
     }
-    out += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
-    i += 2;
+    if (c == '\0') return std::nullopt;
+    out += c;
   }
   return out;
 }
 
-Flight withPath(Flight flight, const std::string& path) {
-  ExtraMembers members;
-  if (flight.extras.flight) members = *flight.extras.flight;
-  members.emplace_back(kPathMember, '"' + encoded(path) + '"');
-  flight.extras.flight = std::make_shared<const ExtraMembers>(std::move(members));
-  return flight;
+// What the member's JSON text says; empty where it isn't a path.
+std::string pathIn(std::string_view json) {
+  if (json.size() < 2 || json.front() != '"') return {};
+  return decoded(json.substr(1, json.size() - 2)).value_or("");
+}
+
+// Names are kept as JSON text; by hand they may be written with escapes.
+bool isPath(const ExtraMembers::value_type& member) {
+  const std::string_view name = member.first;
+  return decodeJsonString(name.substr(1, name.size() - 2)) == kPathMember;
 }
 
 std::string takePath(Flight& flight) {
   if (!flight.extras.flight) return {};
   ExtraMembers members = *flight.extras.flight;
-  const auto found = std::find_if(members.begin(), members.end(),
-                                  [](const auto& member) { return member.first == kPathMember; });
+  const auto found = std::find_if(members.begin(), members.end(), isPath);
   if (found == members.end()) return {};
-  const std::string value = found->second;
+  std::string path = pathIn(found->second);
   members.erase(found);
   flight.extras.flight =
       members.empty() ? nullptr : std::make_shared<const ExtraMembers>(std::move(members));
-  return value.size() < 2 ? std::string() : decoded(value.substr(1, value.size() - 2));
+  return path;
 }
 
 std::int64_t writtenAt(const fs::path& file) {
@@ -78,6 +97,24 @@ std::int64_t writtenAt(const fs::path& file) {
 }
 
 }  // namespace
+
+Flight withUnsavedPath(Flight flight, const std::string& path) {
+  ExtraMembers members;
+  if (flight.extras.flight) members = *flight.extras.flight;
+  std::erase_if(members, isPath);  // where the flight was itself opened from such a file
+  members.emplace_back(fmt::format("\"{}\"", kPathMember), '"' + encoded(path) + '"');
+  flight.extras.flight = std::make_shared<const ExtraMembers>(std::move(members));
+  return flight;
+}
+
+std::optional<UnsavedWork> readUnsavedWork(std::string_view text) {
+  auto flight = readVid(text);
+  if (!flight) return std::nullopt;
+  UnsavedWork work;
+  work.flight = std::move(*flight);
+  work.path = takePath(work.flight);
+  return work;
+}
 
 RecoveryFile::RecoveryFile(fs::path folder) : folder_(std::move(folder)) {}
 
@@ -118,7 +155,7 @@ bool RecoveryFile::begin() {
 std::optional<Problem> RecoveryFile::write(const Flight& flight, const std::string& path) {
   // Without a lock (the folder can't be written) the file itself tells why.
   if (lock_ < 0 && !begin()) file_ = folder_ / fmt::format("{}.vid", ::getpid());
-  return saveVid(withPath(flight, path), file_.string());
+  return saveVid(withUnsavedPath(flight, path), file_.string());
 }
 
 void RecoveryFile::remove() {
@@ -133,12 +170,10 @@ void RecoveryFile::remove() {
 
 std::optional<UnsavedWork> RecoveryFile::read() const {
   if (file_.empty()) return std::nullopt;
-  UnsavedWork work;
-  work.time = writtenAt(file_);
-  auto flight = readVidFile(file_.string());
-  if (!flight) return std::nullopt;
-  work.flight = std::move(*flight);
-  work.path = takePath(work.flight);
+  const std::int64_t time = writtenAt(file_);
+  const auto text = readFile(file_.string(), limits::kFileSize);
+  auto work = text ? readUnsavedWork(*text) : std::nullopt;
+  if (work) work->time = time;
   return work;
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "flight/flight.hpp"
@@ -24,6 +25,13 @@ struct UnsavedWork {
   std::string path;       // of the document; empty where it was never saved
   std::int64_t time = 0;  // of the writing, seconds since 1970
 };
+
+// The flight as it is written there: with the path in a member of its own.
+Flight withUnsavedPath(Flight flight, const std::string& path);
+// From the text of such a file, but for the time: the flight and the path. Nothing where the text
+// isn't a `.vid`. A member that doesn't hold a path counts as none: the flight is worth more than
+// its place.
+std::optional<UnsavedWork> readUnsavedWork(std::string_view text);
 
 class RecoveryFile {
  public:

@@ -8,6 +8,8 @@
 
 #include "edit/edit_fixture.hpp"
 #include "edit/texts.hpp"
+#include "io/vid_reader.hpp"
+#include "io/vid_writer.hpp"
 #include "support/files.hpp"
 
 namespace vides {
@@ -104,6 +106,37 @@ TEST(RecoveryFile, OtherMembersOfTheFlightStay) {
   const auto work = file.read();
   ASSERT_TRUE(work && work->flight.extras.flight);
   EXPECT_TRUE(sameExtra(work->flight.extras.flight, flight.extras.flight));
+}
+
+TEST(RecoveryFile, AFlightThatWasItselfOpenedFromSuchAFileIsKept) {
+  const test::TemporaryFolder folder;
+  RecoveryFile first(folder.path());
+  ASSERT_EQ(first.write(flightWith("a"), "/first.vid"), std::nullopt);
+  const auto opened = readVidFile(first.file().string());
+  ASSERT_TRUE(opened);
+  RecoveryFile second(folder.path());
+  ASSERT_EQ(second.write(*opened, "/second.vid"), std::nullopt);
+  const auto work = second.read();
+  ASSERT_TRUE(work);
+  EXPECT_EQ(work->flight, flightWith("a"));
+  EXPECT_EQ(work->path, "/second.vid");
+}
+
+TEST(RecoveryFile, ADamagedPathCostsThePathOnly) {
+  const auto pathIn = [](const std::string& member) {
+    Flight flight = flightWith("a");
+    flight.extras.flight =
+        std::make_shared<const ExtraMembers>(ExtraMembers{{"\"x_vides_unsaved_path\"", member}});
+    const auto work = readUnsavedWork(writeVid(flight));
+    EXPECT_TRUE(work && work->flight == flightWith("a")) << member;
+    return work ? work->path : "no work";
+  };
+  EXPECT_EQ(pathIn(R"("/a%20%C3%A4%25.vid")"), "/a \u00e4%.vid");
+  EXPECT_EQ(pathIn(R"("")"), "");
+  for (const char* damaged : {R"("/a%zz.vid")", R"("/a%2")", R"("%")", R"("/a%00b")",
+                              R"("/\u0061")", "[1, 2]", "7", "null", "{\"a\": 1}"}) {
+    EXPECT_EQ(pathIn(damaged), "") << damaged;
+  }
 }
 
 class OfferTest : public testing::Test {
