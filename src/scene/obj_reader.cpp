@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -144,9 +145,20 @@ class Reader {
     scene_.positions.push_back(position);
   }
 
+  // Which end of what a double holds a number lies beyond: its first digit that isn't 0 tells,
+  // before the point or behind it, moved by the exponent.
   static bool isTiny(std::string_view word) {
-    const std::size_t exponent = word.find_first_of("eE");
-    return exponent != std::string_view::npos && word.substr(exponent + 1).starts_with('-');
+    const std::size_t e = std::min(word.find_first_of("eE"), word.size());
+    std::string_view exponent = word.substr(std::min(e + 1, word.size()));
+    if (exponent.starts_with('+')) exponent.remove_prefix(1);
+    std::int32_t shift = 0;
+    const auto read = std::from_chars(exponent.begin(), exponent.end(), shift);
+    // No file is long enough to make up for such an exponent.
+    if (read.ec == std::errc::result_out_of_range) return exponent.starts_with('-');
+    const std::size_t point = std::min(word.find('.'), e);
+    const auto before = static_cast<std::int64_t>(point) -
+                        static_cast<std::int64_t>(word.find_first_of("123456789"));
+    return before + shift < 0;
   }
 
   // The vertex that one index group ("7", "7/1/3", "-1//2") means; nothing at the statement's end

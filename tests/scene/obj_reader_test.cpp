@@ -105,6 +105,26 @@ TEST(Obj, FacesOfAnySize) {
   EXPECT_EQ(scene->triangles.size(), 998u);
 }
 
+// What counts is how large the number is, not how it is written.
+TEST(Obj, NumbersBeyondADoubleAreNothingOrAFault) {
+  const std::string zeros(400, '0');
+  for (const std::string& tiny :
+       {std::string("1e-400"), "-0." + zeros + "1", "0." + zeros + "1e+50", "." + zeros + "7e20",
+        zeros + "." + zeros + "1", "1" + zeros + "e-800", std::string("1e-99999999999999999999")}) {
+    const auto scene = readObj("v 0 " + tiny + " 1");
+    ASSERT_TRUE(scene) << tiny;
+    EXPECT_EQ(scene->positions.front(), (Vec3{0.0, 0.0, 1.0})) << tiny;
+  }
+  for (const std::string& huge :
+       {std::string("1e400"), "1" + zeros, "1" + zeros + "e-5", "-1" + zeros + ".5E-20",
+        "0." + zeros + "1e800", std::string("1e99999999999999999999")}) {
+    EXPECT_EQ(problemOf("v 0 " + huge + " 1").fault, SceneFault::kNumber) << huge;
+  }
+  // Not every one with that many digits lies beyond it.
+  EXPECT_EQ(readObj("v 1" + zeros + "e-400 0 0")->positions.front().x, 1.0);
+  EXPECT_EQ(readObj("v 0." + zeros + "1e401 0 0")->positions.front().x, 1.0);
+}
+
 TEST(Obj, FaultsAreToldWithTheirLine) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   const auto is = [](SceneFault fault, std::int64_t line, const char* found) {
