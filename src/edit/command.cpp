@@ -117,13 +117,15 @@ std::string quoted(const std::string& text) {
 std::optional<double> parseNumber(std::string_view text) {
   while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
   while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-  if (text.starts_with('+') && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
+  constexpr std::string_view kMinus = "\u2212";
+  const std::string_view digits = text.substr(text.starts_with('+') ? 1 : 0);
+  if (!digits.empty() && !digits.starts_with('-') && !digits.starts_with(kMinus)) text = digits;
   std::string plain(text);
   if (std::count(plain.begin(), plain.end(), ',') == 1 && plain.find('.') == plain.npos) {
     std::replace(plain.begin(), plain.end(), ',', '.');
   }
   // The typographic minus is what the interface itself shows.
-  if (plain.starts_with("\u2212")) plain.replace(0, std::string_view("\u2212").size(), "-");
+  if (plain.starts_with(kMinus)) plain.replace(0, kMinus.size(), "-");
   double number = 0.0;
   const char* end = plain.data() + plain.size();
   const auto [at, error] = std::from_chars(plain.data(), end, number);

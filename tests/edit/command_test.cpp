@@ -64,8 +64,8 @@ TEST(Command, NumbersAsUsersTypeThem) {
   EXPECT_EQ(parseNumber("1e-3"), 0.001);
   EXPECT_EQ(parseNumber("-0").value(), 0.0);
   EXPECT_FALSE(std::signbit(*parseNumber("-0")));
-  for (const char* no :
-       {"", " ", "1,000.5", "1,2,3", "nan", "inf", "1e999", "+-1", "++1", "1x", "0x10", "1 2"}) {
+  for (const char* no : {"", " ", "1,000.5", "1,2,3", "nan", "inf", "1e999", "+-1", "+\u22121",
+                         "-\u22121", "++1", "1x", "0x10", "1 2"}) {
     EXPECT_FALSE(parseNumber(no)) << no;
   }
 }
