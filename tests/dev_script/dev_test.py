@@ -18,11 +18,22 @@ CMAKE = """
 cmake_minimum_required(VERSION 3.25)
 project(little LANGUAGES C)
 add_subdirectory(src/app)
+if(EXISTS ${CMAKE_SOURCE_DIR}/tests/fuzz)
+  add_subdirectory(tests/fuzz)
+endif()
+"""
+FUZZ_CMAKE = """
+add_custom_target(fuzz_targets)
+foreach(name fuzz_one fuzz_two)
+  add_executable(${name} main.c)
+  add_dependencies(fuzz_targets ${name})
+endforeach()
 """
 PRESETS = """
 {"version": 6, "configurePresets": [
   {"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"},
-  {"name": "dev", "generator": "Ninja", "binaryDir": "${sourceDir}/build/dev"}]}
+  {"name": "dev", "generator": "Ninja", "binaryDir": "${sourceDir}/build/dev"},
+  {"name": "fuzz", "generator": "Ninja", "binaryDir": "${sourceDir}/build/fuzz"}]}
 """
 PROGRAM = """
 #include <stdio.h>
@@ -181,6 +192,46 @@ class Building(Checkout):
         self.dev("build")
         self.assertEqual(self.dev("clean")[0], 0)
         self.assertFalse((self.root / "build").exists())
+
+
+class Fuzzing(Checkout):
+    def setUp(self):
+        super().setUp()
+        fuzz = self.root / "tests" / "fuzz"
+        (fuzz / "corpus" / "fuzz_one").mkdir(parents=True)
+        (fuzz / "CMakeLists.txt").write_text(FUZZ_CMAKE)
+        (fuzz / "fuzz_two.dict").write_text("")
+        (fuzz / "main.c").write_text("""
+            #include <stdio.h>
+            int main(int count, char** words) {
+              for (int i = 0; i < count; ++i) printf("[%s]", words[i]);
+              return 0;
+            }""")
+
+    def test_builds_the_targets_only_and_runs_each(self):
+        (self.root / "src/app/main.c").write_text("int main(void) { return nonsense; }\n")
+        code, out, err = self.dev("fuzz", "-runs=7")
+        self.assertEqual(code, 0, err)
+        for name in ("fuzz_one", "fuzz_two"):
+            self.assertEqual(out.count(f"build/fuzz/tests/fuzz/{name}]"), 1, out)
+        self.assertEqual(out.count("[-runs=7]"), 2)
+        self.assertEqual(out.count("tests/fuzz/corpus/fuzz_one]"), 1)
+        self.assertEqual(out.count("-dict="), 1)
+
+    def test_those_that_are_named(self):
+        code, out, _ = self.dev("fuzz", "fuzz_two", "-runs=7")
+        self.assertEqual(code, 0)
+        self.assertNotIn("tests/fuzz/fuzz_one]", out)
+        code, out, err = self.dev("fuzz", "fuzz_three")
+        self.assertEqual((code, out), (1, ""))
+        self.assertIn("no such fuzz targets: fuzz_three", err)
+
+    def test_what_is_found_is_told(self):
+        source = self.root / "tests" / "fuzz" / "main.c"
+        source.write_text("int main(void) { return 1; }\n")
+        code, _, err = self.dev("fuzz")
+        self.assertEqual(code, 1)
+        self.assertIn("fuzz_one found something", err)
 
 
 class Packages(Checkout):

@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a `.vid` file: refused with problems that can be told, or read, and then what was
 // read is valid and is written and read back as it is.
-#include <fmt/format.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
 #include "flight/utf8.hpp"
 #include "flight/validation.hpp"
+#include "fuzz/require.hpp"
 #include "io/problem_text.hpp"
 #include "io/vid_reader.hpp"
 #include "io/vid_writer.hpp"
 
 namespace {
 
-void require(bool condition, std::string_view what) {
-  if (condition) return;
-  fmt::print(stderr, "{}\n", what);
-  std::abort();
-}
+using vides::test::require;
 
 // What another parser says; nothing where it stops at what is no question of syntax: it takes a NUL
 // for the end of the text, and goes no further at a number beyond double.
@@ -55,7 +47,7 @@ void checkProblems(std::string_view text, const std::vector<vides::Problem>& pro
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const std::string_view text = vides::test::asText(data, size);
   const vides::ReadFlight flight = vides::readVid(text);
   if (!flight) {
     checkProblems(text, flight.error());
