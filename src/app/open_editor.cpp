@@ -2,9 +2,12 @@
 // The editor in a window: sleeps until something happens, and then draws a display frame.
 #include "app/open_editor.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <future>
 #include <limits>
 #include <string_view>
@@ -13,6 +16,7 @@
 #include "app/assets.hpp"
 #include "app/commands.hpp"
 #include "app/editor.hpp"
+#include "app/end_signals.hpp"
 #include "app/messages.hpp"
 #include "app/offscreen_editor.hpp"
 #include "app/recovery_keeper.hpp"
@@ -62,12 +66,14 @@ class WindowDress {
   CursorShape cursor_ = CursorShape::kArrow;
 };
 
-void runWindow(Host& host, Editor& editor, UserFiles& userFiles, RecoveryKeeper& recovery) {
+// Until the editor is quit or a signal ends it.
+void runWindow(Host& host, Editor& editor, UserFiles& userFiles, RecoveryKeeper& recovery,
+               const EndSignals& signals) {
   using Seconds = std::chrono::duration<double>;
   WindowDress dress(host);
   double due = 0.0;  // when the next display frame is wanted; the first at once
   double last = -1.0;
-  for (;;) {
+  while (signals.came() == 0) {
     FrameInput input;
     input.events = host.takeEvents();
     if (input.events.empty() && host.time() < due) {
@@ -111,6 +117,7 @@ int noWindow(const std::string& why, bool flightGiven) {
 }  // namespace
 
 int openEditor(const std::optional<std::string>& flight) {
+  EndSignals signals;
   // Opening a window takes a while in which its fonts can be made, for the commonest screens.
   std::future<FontSet> fonts = std::async(std::launch::async, &buildFonts, 1.0);
   auto host = openWindow({});
@@ -137,13 +144,20 @@ int openEditor(const std::optional<std::string>& flight) {
   if (trouble) (*editor)->session().say(MessageKind::kError, *trouble);
   RecoveryKeeper recovery(writer, stateFolder().empty() ? "" : stateFolder() / "recovery");
   recovery.offer((*editor)->session());
-  window.onLost([&] {
+  // An end that nobody can be asked about.
+  const auto endAtOnce = [&](const std::string& why) {
     const bool kept = recovery.keepNow((*editor)->session());
     userFiles.close((*editor)->session());
-    tell(kept ? "the display is gone; what was unsaved is offered at the next start"
-              : "the display is gone");
-  });
-  runWindow(window, **editor, userFiles, recovery);
+    tell(kept ? why + "; what was unsaved is offered at the next start" : why);
+  };
+  window.onLost([&] { endAtOnce("the display is gone"); });
+  signals.leaveTo([&] { window.wake(); });
+  runWindow(window, **editor, userFiles, recovery, signals);
+  signals.leaveTo({});  // the window goes
+  if (const int signal = signals.came()) {
+    endAtOnce(fmt::format("ended by SIG{}", sigabbrev_np(signal)));
+    signals.finish();
+  }
   recovery.close();
   userFiles.close((*editor)->session());
   window.makeCurrent();

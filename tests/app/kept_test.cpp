@@ -183,6 +183,60 @@ TEST_F(RecoveryTest, ALostDisplayLosesNothing) {
   closeProgram();
 }
 
+// Who logs out, or presses Ctrl-C where it was started, is asked nothing.
+TEST_F(RecoveryTest, ASignalLosesNothing) {
+  for (const auto& [signal, name] :
+       {std::pair(SIGTERM, "SIGTERM"), std::pair(SIGHUP, "SIGHUP"), std::pair(SIGINT, "SIGINT")}) {
+    SCOPED_TRACE(name);
+    const auto end = [&, number = signal] {
+      ASSERT_EQ(::kill(program_->id(), number), 0);
+      ASSERT_TRUE(waitUntil([&] { return program_->ended().has_value(); }));
+      EXPECT_EQ(program_->ended(), 128 + number);  // it says what ended it
+      program_.reset();
+    };
+    startProgram({file("window").string()});
+    const std::string before = test::readAll(file("window"));
+    end();
+    EXPECT_EQ(errors(), std::string("vides: ended by ") + name + "\n");
+    EXPECT_THAT(kept(), testing::IsEmpty());
+
+    // An edit of this moment: it is told of by the window's name, and not yet on the disk.
+    startProgram({file("window").string()});
+    twin_->tap(KeyboardKey::kE, {});
+    xdotool("key e");
+    ASSERT_TRUE(waitUntil([&] {
+      return xdotool("getwindowname " + std::to_string(window_)).find('*') != std::string::npos;
+    }));
+    end();
+    EXPECT_EQ(errors(), std::string("vides: ended by ") + name +
+                            "; what was unsaved is offered at the next start\n");
+    ASSERT_EQ(kept().size(), 1u);
+    Session& twin = twin_->editor().session();
+    EXPECT_EQ(readVidFile(kept().front().string())->keys, twin.flight().keys);
+    EXPECT_EQ(test::readAll(file("window")), before);
+    std::filesystem::remove_all(folder_ / "state/vides/recovery");
+    twin_->tap(KeyboardKey::kZ, {.control = true});
+  }
+}
+
+// What is ignored stays so: nohup's programs outlive their terminal.
+TEST_F(RecoveryTest, AnIgnoredSignalEndsNothing) {
+  struct sigaction ignore {
+  }, before{};
+  ignore.sa_handler = SIG_IGN;
+  ASSERT_EQ(sigaction(SIGHUP, &ignore, &before), 0);
+  startProgram({file("window").string()});
+  ASSERT_EQ(sigaction(SIGHUP, &before, nullptr), 0);
+  ASSERT_EQ(::kill(program_->id(), SIGHUP), 0);
+  twin_->tap(KeyboardKey::kE, {});
+  xdotool("key e");  // it still works
+  ASSERT_TRUE(waitUntil([&] {
+    return xdotool("getwindowname " + std::to_string(window_)).find('*') != std::string::npos;
+  }));
+  EXPECT_FALSE(program_->ended());
+  kill();
+}
+
 TEST_F(RecoveryTest, AnotherEditorLeavesIt) {
   startProgram({file("window").string()});
   EXPECT_LT(editAndWait(), 5.0);
