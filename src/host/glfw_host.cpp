@@ -295,6 +295,7 @@ void GlfwHost::swap() {
 
 std::vector<InputEvent> GlfwHost::takeEvents() {
   glfwPollEvents();
+  if (watch_) watch_->check();
   return std::exchange(events_, {});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The end of the X server under a window of GLFW's.
+// The end of the server under a window of GLFW's.
 #include "host/lost_display.hpp"
 
 #include <dlfcn.h>
@@ -11,9 +11,10 @@
 namespace vides {
 namespace {
 
-// Xlib's, by their names in the libraries that GLFW has loaded: without X there are none, and the
-// program needs neither its headers nor the library. A Display is only handed on.
+// Xlib's and libwayland's, by their names in the libraries that GLFW has loaded: one of them isn't
+// there, and the program needs neither headers nor libraries. A display is only handed on.
 using DisplayOf = void* (*)();
+using WaylandError = int (*)(void*);
 using SetErrorHandler = int (*(*)(int (*)(void*)))(void*);
 using SetExitHandler = void (*)(void*, void (*)(void*, void*), void*);
 
@@ -25,6 +26,10 @@ Function loaded(const char* name) {
 }  // namespace
 
 LostDisplay::LostDisplay(std::function<void()> last) : last_(std::move(last)) {
+  if (const auto waylandOf = loaded<DisplayOf>("glfwGetWaylandDisplay")) {
+    wayland_ = waylandOf();
+    waylandError_ = loaded<WaylandError>("wl_display_get_error");
+  }
   const auto displayOf = loaded<DisplayOf>("glfwGetX11Display");
   const auto setError = loaded<SetErrorHandler>("XSetIOErrorHandler");
   const auto setExit = loaded<SetExitHandler>("XSetIOErrorExitHandler");
@@ -44,6 +49,10 @@ LostDisplay::LostDisplay(std::function<void()> last) : last_(std::move(last)) {
 LostDisplay::~LostDisplay() {
   if (display_ == nullptr) return;
   loaded<SetExitHandler>("XSetIOErrorExitHandler")(display_, nullptr, nullptr);
+}
+
+void LostDisplay::check() {
+  if (wayland_ != nullptr && waylandError_ != nullptr && waylandError_(wayland_) != 0) end();
 }
 
 void LostDisplay::end() {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A Wayland compositor that ends, played by functions of the names that GLFW's build for Wayland
+// and its library have. (The X server's end is tried with a real one: tests/app/kept_test.cpp.)
+#include "host/lost_display.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <cstdio>
+
+namespace {
+int display = 0;       // its address counts
+int displayError = 0;  // of the connection
+}  // namespace
+
+extern "C" void* glfwGetWaylandDisplay();
+extern "C" void* glfwGetWaylandDisplay() { return &display; }
+extern "C" int wl_display_get_error(void* asked);
+extern "C" int wl_display_get_error(void* asked) { return asked == &display ? displayError : 0; }
+
+namespace vides {
+namespace {
+
+TEST(LostDisplay, NothingHappensWhileTheCompositorIsThere) {
+  displayError = 0;
+  bool called = false;
+  LostDisplay watch([&] { called = true; });
+  watch.check();
+  EXPECT_FALSE(called);
+}
+
+TEST(LostDisplayDeathTest, ALostCompositorEndsTheProgramAfterTheLastWord) {
+  const auto lose = [] {
+    LostDisplay watch([] { std::fputs("kept\n", stderr); });
+    displayError = EPIPE;
+    watch.check();
+    std::fputs("still there\n", stderr);
+  };
+  EXPECT_EXIT(lose(), testing::ExitedWithCode(1), "^kept\n$");
+}
+
+}  // namespace
+}  // namespace vides
