@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // `vides screenshot`: a picture of the viewport, of the camera's view, or of the whole window.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
 #include "app/offscreen_editor.hpp"
 #include "app/output.hpp"
+#include "app/progress.hpp"
 
 namespace vides {
 namespace {
@@ -28,7 +30,12 @@ tl::expected<Picture, std::string> takePicture(const ScreenshotCommand& command,
     }
     editor.run(Command("go-to-frame", *command.frame));
   }
-  // Until nothing moves any more: the measures of a long flight come in portions.
+  player.frame();
+  {
+    Progress progress("Measuring", command.output == "-" && isatty(STDOUT_FILENO) != 0);
+    editor.finishMeasures([&](std::int64_t done, std::int64_t all) { progress.report(done, all); });
+  }
+  // Until nothing moves any more.
   do {
     player.frame();
   } while (player.unfinished());

@@ -253,6 +253,7 @@ FrameOutcome Editor::frame(const FrameInput& given) {
   p.stepGlide();
   if (given.size.empty()) {
     while (p.input.waiting()) p.input.feed(io, [&](const InputEvent& e) { return p.notice(e); });
+    p.graphs.follow(p.session.evaluation());  // nobody sees them
     return p.outcome();
   }
   p.input.feed(io, [&](const InputEvent& e) { return p.notice(e); });
@@ -269,6 +270,10 @@ FrameOutcome Editor::frame(const FrameInput& given) {
   // What is kept of the view is where it was going.
   if (p.session.quitRequested()) p.endGlide();
   return p.outcome();
+}
+
+void Editor::finishMeasures(const std::function<void(std::int64_t, std::int64_t)>& report) {
+  parts_->graphs.finish(report);
 }
 
 void Editor::Parts::draw(const FrameInput& given) {

@@ -72,6 +72,10 @@ class Editor {
   // empty size draws nothing; events are taken all the same.
   FrameOutcome frame(const FrameInput& input);
 
+  // Measures a long flight to the end without drawing: what display frames do in portions, where
+  // the last one showed the measures. Reports frames done and frames altogether.
+  void finishMeasures(const std::function<void(std::int64_t, std::int64_t)>& report);
+
   // A command by name, as from a menu: view changes may glide. False where it was refused or
   // failed.
   bool run(const Command& command);

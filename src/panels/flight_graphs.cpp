@@ -23,8 +23,17 @@ void FlightGraphs::follow(const Evaluation& evaluation) {
     soFar_ = {};
     lastFrame_.reset();
     walk_.emplace(*evaluation_);
+    asked_ = true;
   }
-  if (!quality_) measurePortion();
+  if (measuring()) measurePortion();
+  asked_ = false;
+}
+
+void FlightGraphs::finish(const std::function<void(std::int64_t, std::int64_t)>& report) {
+  while (measuring()) {
+    measurePortion();
+    if (walk_) report(walk_->position(), walk_->last());
+  }
 }
 
 void FlightGraphs::measurePortion() {

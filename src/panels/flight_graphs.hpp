@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct SpeedStrip {
 
 class FlightGraphs {
  public:
-  // Call once a display frame, before the rest. Frames of a long flight are measured in portions.
+  // Call once a display frame, before the rest. Frames of a long flight are measured in portions,
+  // for as long as the measures are asked for: the first at once, the others where they are shown.
   void follow(const Evaluation& evaluation);
 
   // The VPN on the unit sphere, at most kMostPath places over the whole flight, and the section
@@ -40,9 +42,14 @@ class FlightGraphs {
   const SpeedStrip& strip(std::int64_t first, double framesPerSample, int samples);
 
   // Nothing while it is still being measured.
-  const std::optional<Quality>& quality() const { return quality_; }
+  const std::optional<Quality>& quality() {
+    asked_ = true;
+    return quality_;
+  }
   // Whether another display frame is wanted to go on measuring.
-  bool measuring() const { return !quality_; }
+  bool measuring() const { return asked_ && !quality_; }
+  // Measures all that is asked for and missing, and reports frames done and frames altogether.
+  void finish(const std::function<void(std::int64_t, std::int64_t)>& report);
 
  private:
   // Frames that are measured in a display frame: about a millisecond's.
@@ -56,6 +63,7 @@ class FlightGraphs {
   std::optional<FrameWalk> walk_;
   std::optional<Frame> lastFrame_;
   Quality soFar_;
+  bool asked_ = false;  // since the last follow()
 };
 
 }  // namespace vides

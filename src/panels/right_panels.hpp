@@ -18,6 +18,6 @@ Rect cameraPanel(Ui& ui, Stack& column, const Session& session, Actions& actions
 std::string cameraCaption(const Ui& ui, const Session& session);
 void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs,
                  Actions& actions);
-void measuresPanel(Ui& ui, Stack& column, const Session& session, const FlightGraphs& graphs);
+void measuresPanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs);
 
 }  // namespace vides

@@ -154,7 +154,7 @@ void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& gr
   });
 }
 
-void measuresPanel(Ui& ui, Stack& column, const Session& session, const FlightGraphs& graphs) {
+void measuresPanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs) {
   panel(ui, column, "panel/measures", [&](Stack& rows) {
     const bool scene = session.display().units == Units::kScene;
     const double unit = scene ? session.flight().space.halfSize : 1.0;

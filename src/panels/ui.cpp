@@ -22,6 +22,12 @@ std::size_t characterStart(std::string_view text, std::size_t bytes) {
   return bytes;
 }
 
+// What the current window doesn't hide of it.
+Rect visibleOf(const Rect& rect) {
+  const ImRect& clip = ImGui::GetCurrentWindow()->ClipRect;
+  return rect.intersect({clip.Min.x, clip.Min.y, clip.GetWidth(), clip.GetHeight()});
+}
+
 }  // namespace
 
 float Ui::px(float atScale1) const { return std::round(atScale1 * setting_.scale); }
@@ -89,7 +95,8 @@ void Ui::text(const Rect& box, std::string_view given, const TextStyle& style) {
   list.AddText(used, used->FontSize, {std::round(x), std::round(y)}, colour(style.colour),
                words.data(), words.data() + words.size(), 0.0f,
                width > box.width ? &clip : nullptr);
-  setting_.registry.addText({std::move(words), width, box.width, shortened});
+  const Rect place{std::round(x), std::round(y), std::min(width, box.width), used->FontSize};
+  setting_.registry.addText({std::move(words), width, box.width, shortened, visibleOf(place)});
 }
 
 void Ui::valueRow(const Rect& box, std::string_view id, std::string_view label,
@@ -182,9 +189,7 @@ void Ui::icon(Icon icon, const Rect& box, ColourRole role) {
 
 void Ui::registerWidget(std::string_view id, std::string_view label, WidgetKind kind,
                         const Rect& rect, bool enabled, std::string_view value, std::string tip) {
-  const ImRect& clip = ImGui::GetCurrentWindow()->ClipRect;
-  const Rect window{clip.Min.x, clip.Min.y, clip.GetWidth(), clip.GetHeight()};
-  setting_.registry.add({std::string(id), std::string(label), kind, rect, rect.intersect(window),
+  setting_.registry.add({std::string(id), std::string(label), kind, rect, visibleOf(rect),
                          std::string(value), enabled, std::move(tip)});
 }
 

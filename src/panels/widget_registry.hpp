@@ -62,6 +62,7 @@ struct DrawnText {
   float width = 0.0f;
   float box = 0.0f;
   bool shortened = false;  // text of the user's (a name), ended with … so that it fits
+  Rect place = {};         // where it stands, as far as its column doesn't hide it
 };
 
 class WidgetRegistry {

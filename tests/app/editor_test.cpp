@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -13,6 +14,7 @@
 #include "panels/ui.hpp"
 #include "support/files.hpp"
 #include "support/picture_check.hpp"
+#include "support/process.hpp"
 
 namespace vides {
 namespace {
@@ -62,17 +64,54 @@ TEST(Editor, LooksAsItDid) {
   EXPECT_TRUE(test::equalsBaseline(two.player->picture().value(), "window_1920x1200_scale_2"));
 }
 
+// The driver that it isn't drawn by on every machine.
+bool hasEgl() { return openOffscreen(OffscreenKind::kEgl, {.size = {16, 16}}).has_value(); }
+
+constexpr PictureTolerance kThroughEgl{.share = kEglShare};
+
+struct WholeWindow {
+  PixelSize size;
+  double scale;
+  const char* baseline;
+};
+constexpr WholeWindow kWindows[] = {{{1280, 800}, 1.0, "window_1280x800"},
+                                    {{1920, 1200}, 2.0, "window_1920x1200_scale_2"}};
+
 TEST(Editor, LooksTheSameThroughEgl) {
-  Stage one = stage({1280, 800}, 1.0, OffscreenKind::kEgl);
-  openPyramid(*one.player);
-  PictureTolerance tolerance;
-  tolerance.share = kEglShare;
-  EXPECT_TRUE(test::equalsBaseline(one.player->picture().value(), "window_1280x800", tolerance));
+  if (!hasEgl()) GTEST_SKIP() << "no EGL here";
+  for (const WholeWindow& window : kWindows) {
+    Stage one = stage(window.size, window.scale, OffscreenKind::kEgl);
+    openPyramid(*one.player);
+    EXPECT_TRUE(test::equalsBaseline(one.player->picture().value(), window.baseline, kThroughEgl));
+  }
+}
+
+TEST(Screenshot, OfTheWholeWindowIsTheSameThroughEgl) {
+  if (!hasEgl()) GTEST_SKIP() << "no EGL here";
+  const test::TemporaryFolder folder;
+  const auto taken = [&](const char* offscreen, const char* size, const char* scale) {
+    const std::string file = (folder / "window.png").string();
+    const auto run = test::runProcess(
+        {VIDES_PROGRAM, "screenshot", VIDES_SOURCE_DIR "/assets/flights/pyramid.vid",
+         "--whole-window", "--offscreen", offscreen, "--size", size, "--scale", scale, "-o", file});
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return readPng(file).value();
+  };
+  for (const auto& [size, scale] : {std::pair("1280x800", "1"), std::pair("1920x1200", "2")}) {
+    EXPECT_TRUE(test::equalsPicture(taken("egl", size, scale), taken("osmesa", size, scale),
+                                    std::string("screenshot_egl_") + size, kThroughEgl));
+  }
+}
+
+Picture baselineOf(const WholeWindow& window) {
+  return readPng(std::string(VIDES_SOURCE_DIR) + "/tests/baselines/" + window.baseline + ".png")
+      .value();
 }
 
 // The picture with the view's camera moved by one pixel differs from the baseline.
-void expectSeesOnePixel(PixelSize size, double scale, const std::string& baseline) {
-  Stage one = stage(size, scale);
+void expectSeesOnePixel(const WholeWindow& window, OffscreenKind kind,
+                        const PictureTolerance& tolerance) {
+  Stage one = stage(window.size, window.scale, kind);
   openPyramid(*one.player);
   Editor& editor = one.player->editor();
   const Rect seen = editor.viewport();
@@ -82,16 +121,105 @@ void expectSeesOnePixel(PixelSize size, double scale, const std::string& baselin
   view.view = panned(view.view, pixels, {1.0, 0.0});
   editor.session().setView(view);
   one.player->frame();
-  const std::string file = std::string(VIDES_SOURCE_DIR) + "/tests/baselines/" + baseline + ".png";
   const PictureDifference moved =
-      comparePictures(one.player->picture().value(), readPng(file).value());
+      comparePictures(one.player->picture().value(), baselineOf(window), tolerance);
   EXPECT_FALSE(moved.equal) << moved.sentence;
   EXPECT_TRUE(moved.sameSize);
 }
 
 TEST(Editor, TheBaselinesSeeTheCameraMovedByOnePixel) {
-  expectSeesOnePixel({1280, 800}, 1.0, "window_1280x800");
-  expectSeesOnePixel({1920, 1200}, 2.0, "window_1920x1200_scale_2");
+  for (const WholeWindow& window : kWindows) {
+    expectSeesOnePixel(window, OffscreenKind::kOsmesa, {});
+    // The share of pixels alone sees it, too.
+    expectSeesOnePixel(window, OffscreenKind::kOsmesa, {.square = 256});
+  }
+}
+
+TEST(Editor, TheBaselinesSeeTheCameraMovedByOnePixelThroughEgl) {
+  if (!hasEgl()) GTEST_SKIP() << "no EGL here";
+  for (const WholeWindow& window : kWindows) {
+    expectSeesOnePixel(window, OffscreenKind::kEgl, kThroughEgl);
+  }
+}
+
+// Of more than a separator.
+bool isWord(const std::string& text) {
+  return std::count_if(text.begin(), text.end(), [](char c) { return c != ' '; }) >= 3;
+}
+
+// Each word of the window, painted over with the colour beside it, is noticed; hardly one of them
+// has so many pixels that their share of the window tells.
+void expectNoticesEveryWord(const WholeWindow& window) {
+  Stage one = stage(window.size, window.scale);
+  openPyramid(*one.player);
+  const Picture whole = one.player->picture().value();
+  std::size_t words = 0, seenByShare = 0;
+  for (const DrawnText& text : one.player->editor().widgets().texts()) {
+    if (!isWord(text.text) || text.place.empty()) continue;
+    Picture without = whole;
+    const auto left = static_cast<int>(text.place.x), top = static_cast<int>(text.place.y);
+    const int right = std::min(whole.width, static_cast<int>(std::ceil(text.place.right())));
+    const int bottom = std::min(whole.height, static_cast<int>(std::ceil(text.place.bottom())));
+    for (int y = top; y < bottom; ++y) {
+      const auto ground = whole.pixel(std::max(left - 1, 0), y);
+      for (int x = left; x < right; ++x) {
+        std::copy(ground.begin(), ground.end(), without.pixel(x, y).begin());
+      }
+    }
+    const PictureDifference difference = comparePictures(without, whole);
+    EXPECT_FALSE(difference.equal) << '"' << text.text << "\": " << difference.sentence;
+    ++words;
+    if (difference.share > PictureTolerance().share) ++seenByShare;
+  }
+  EXPECT_GT(words, 40u);
+  EXPECT_LT(seenByShare, words / 4);
+}
+
+TEST(Editor, EveryWordThatIsMissingIsNoticed) {
+  for (const WholeWindow& window : kWindows) expectNoticesEveryWord(window);
+}
+
+// A flight of more frames than a display frame has time for is measured where that is seen, and all
+// at once where nobody waits for the next display frame.
+TEST(Editor, LongFlightsAreMeasuredWhereItIsShown) {
+  const auto begin = [](Stage& one, bool shown) {
+    Layout layout;
+    layout.rightShown = shown;
+    one.player->editor().setLayout(layout);
+    ASSERT_TRUE(one.player->perform(Command("set-duration", 2000.0)));
+    for (int i = 0; i < 8; ++i) one.player->frame();
+  };
+  const auto speed = [](const Stage& one) {
+    const Widget* const widget = one.player->editor().widgets().find("measures/speed");
+    return widget == nullptr ? "nothing" : widget->value;
+  };
+  Stage one = stage({960, 600}, 1.0);
+  begin(one, false);
+  EXPECT_FALSE(one.player->wantsFrame());
+  begin(one, true);
+  EXPECT_TRUE(one.player->unfinished());
+  EXPECT_EQ(speed(one), "\u2026");
+  int frames = 0;
+  while (one.player->unfinished() && frames < 100) {
+    one.player->frame();
+    ++frames;
+  }
+  EXPECT_GT(frames, 3);
+  EXPECT_LT(frames, 100);
+  EXPECT_NE(speed(one), "\u2026");
+
+  Stage two = stage({960, 600}, 1.0);
+  begin(two, true);
+  std::int64_t last = 0;
+  two.player->editor().finishMeasures([&](std::int64_t done, std::int64_t all) {
+    EXPECT_GT(done, last);
+    EXPECT_LE(done, all);
+    last = done;
+  });
+  EXPECT_GT(last, 40000);
+  two.player->frame();
+  EXPECT_FALSE(two.player->unfinished());
+  EXPECT_EQ(speed(two), speed(one));
 }
 
 // Whoever draws a speed curve sees what it does to the ghost cameras along the flight's curve.

@@ -167,6 +167,27 @@ TEST(ComparePictures, ShareLimit) {
   EXPECT_TRUE(comparePictures(other, grey(100, 10), {.share = kEglShare}).equal);
 }
 
+// In a square of 16 x 16, wherever it lies, 32 pixels may differ: as many apart are nothing.
+TEST(ComparePictures, SquareLimit) {
+  const PictureTolerance tolerance{.share = 1.0};
+  for (const int left : {0, 5, 9, 84}) {
+    Picture other = grey(100, 40);
+    for (int i = 0; i < 32; ++i) other.pixel(left + i % 16, 7 + 15 * (i / 16))[0] = 0;
+    const PictureDifference enough = comparePictures(other, grey(100, 40), tolerance);
+    EXPECT_TRUE(enough.equal) << enough.sentence;
+    EXPECT_EQ(enough.square, 32u);
+    other.pixel(left, 12)[0] = 0;
+    const PictureDifference more = comparePictures(other, grey(100, 40), tolerance);
+    EXPECT_FALSE(more.equal) << left;
+    EXPECT_THAT(more.sentence, HasSubstr("33 of them (allowed 32) in one square of 16 x 16"));
+  }
+  Picture apart = grey(200, 200);
+  for (int i = 0; i < 144; ++i) apart.pixel(16 * (i % 12), 16 * (i / 12))[0] = 0;
+  EXPECT_EQ(comparePictures(apart, grey(200, 200), tolerance).square, 1u);
+  // Pictures smaller than a square.
+  EXPECT_EQ(comparePictures(grey(3, 2, 0), grey(3, 2), tolerance).square, 6u);
+}
+
 TEST(ComparePictures, OtherSize) {
   const PictureDifference difference = comparePictures(grey(10, 10), grey(10, 11));
   EXPECT_FALSE(difference.equal);
