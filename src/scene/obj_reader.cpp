@@ -130,7 +130,7 @@ class Reader {
     for (int i = 0; i < 3; ++i) {
       std::string_view word = statements_.word();
       const std::string_view whole = word;
-      if (word.starts_with('+')) word.remove_prefix(1);
+      if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
       const auto [end, error] = std::from_chars(word.begin(), word.end(), position[i]);
       // Numbers too small for a double are as good as 0.
       const bool tiny = error == std::errc::result_out_of_range && isTiny(word);

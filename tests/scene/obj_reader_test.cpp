@@ -133,6 +133,7 @@ TEST(Obj, FaultsAreToldWithTheirLine) {
   EXPECT_EQ(problemOf("v 1 2\nv 0 0 0"), is(SceneFault::kNumber, 1, ""));
   EXPECT_EQ(problemOf("#\n\nv 1 2 x"), is(SceneFault::kNumber, 3, "x"));
   EXPECT_EQ(problemOf("v 1 2,5 3"), is(SceneFault::kNumber, 1, "2,5"));
+  EXPECT_EQ(problemOf("v 1 +-2 3"), is(SceneFault::kNumber, 1, "+-2"));
   EXPECT_EQ(problemOf("v nan 0 0"), is(SceneFault::kNumber, 1, "nan"));
   EXPECT_EQ(problemOf("v 0 -inf 0"), is(SceneFault::kNumber, 1, "-inf"));
   EXPECT_EQ(problemOf("v 0 0 1e999"), is(SceneFault::kNumber, 1, "1e999"));
