@@ -5,7 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
+#include <future>
 #include <iterator>
+#include <thread>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/flight_input.hpp"
@@ -16,17 +21,38 @@
 namespace vides {
 namespace {
 
-constexpr std::int64_t kFramesPerReport = 1 << 14;
+// Parts that a core measures in a few milliseconds.
+constexpr std::int64_t kPart = 1 << 14;
 
-Quality measureWithProgress(const Evaluation& evaluation) {
-  Progress progress("Measuring");
-  QualityMeter meter(evaluation.flight().frameRate);
-  FrameWalk walk(evaluation);
-  for (Frame frame; walk.next(frame);) {
-    meter.add(frame);
-    if (frame.number % kFramesPerReport == 0) progress.report(frame.number, walk.last());
+// One part after the other, each to whoever is free: the greatest of all doesn't depend on who.
+Quality measureParts(const Evaluation& evaluation, std::atomic<std::int64_t>& next,
+                     const std::function<void(std::int64_t)>& report) {
+  const std::int64_t all = evaluation.frameCount();
+  Quality quality;
+  for (std::int64_t first = 0; (first = next.fetch_add(kPart)) < all;) {
+    report(first);
+    quality = together(quality, measureQuality(evaluation, first, std::min(all, first + kPart)));
   }
-  return meter.quality();
+  return quality;
+}
+
+// Two thousand million frames take minutes even so.
+Quality measureWithProgress(const Evaluation& evaluation) {
+  const std::int64_t all = evaluation.frameCount();
+  Progress progress("Measuring");
+  std::atomic<std::int64_t> next = 0;
+  std::vector<std::future<Quality>> helpers;
+  const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
+  for (std::int64_t i = 1; i < std::min(cores, all / kPart); ++i) {
+    // Where no thread is to be had, nothing is left for it to do in the end.
+    helpers.push_back(std::async(std::launch::async | std::launch::deferred, [&] {
+      return measureParts(evaluation, next, [](std::int64_t) {});
+    }));
+  }
+  Quality quality =
+      measureParts(evaluation, next, [&](std::int64_t done) { progress.report(done, all); });
+  for (auto& helper : helpers) quality = together(quality, helper.get());
+  return quality;
 }
 
 double seconds(std::int64_t frames, const Flight& flight) {

@@ -60,10 +60,29 @@ void QualityMeter::add(const Frame& frame) {
 }
 
 Quality measureQuality(const Evaluation& evaluation) {
+  return measureQuality(evaluation, 0, evaluation.frameCount());
+}
+
+Quality measureQuality(const Evaluation& evaluation, std::int64_t first, std::int64_t last) {
   QualityMeter meter(evaluation.flight().frameRate);
-  FrameWalk walk(evaluation);
-  for (Frame frame; walk.next(frame);) meter.add(frame);
-  return meter.quality();
+  // A jump is between three frames. What the two before measure belongs to the part before: the
+  // greatest of all is none the worse for it, but frames outside are counted once.
+  const std::int64_t from = std::max<std::int64_t>(0, first - 2);
+  FrameWalk walk(evaluation, from, last);
+  Frame frame;
+  while (walk.position() < first && walk.next(frame)) meter.add(frame);
+  const std::int64_t outsideBefore = meter.quality().framesOutsideCube;
+  while (walk.next(frame)) meter.add(frame);
+  Quality quality = meter.quality();
+  quality.framesOutsideCube -= outsideBefore;
+  return quality;
+}
+
+Quality together(const Quality& a, const Quality& b) {
+  return {std::max(a.maxSpeed, b.maxSpeed), std::max(a.maxAngularSpeed, b.maxAngularSpeed),
+          std::max(a.maxSpeedJump, b.maxSpeedJump),
+          std::max(a.maxAngularSpeedJump, b.maxAngularSpeedJump),
+          a.framesOutsideCube + b.framesOutsideCube};
 }
 
 }  // namespace vides

@@ -14,6 +14,7 @@ struct Quality {
   double maxSpeedJump = 0.0;     // largest |b - a| / max(a, b) of neighbouring intervals
   double maxAngularSpeedJump = 0.0;
   std::int64_t framesOutsideCube = 0;
+  bool operator==(const Quality&) const = default;
 };
 
 // Measures frames one by one, in order: for those who walk over them anyway.
@@ -35,6 +36,11 @@ class QualityMeter {
 
 // Walks over all frames.
 Quality measureQuality(const Evaluation& evaluation);
+// Only those from `first` up to, not including, `last`, and how they follow on those before. Parts
+// that touch make up the whole, bit for bit: what many cores measure equals what one does.
+Quality measureQuality(const Evaluation& evaluation, std::int64_t first, std::int64_t last);
+// Of two parts together.
+Quality together(const Quality& a, const Quality& b);
 
 // The full rotation between two cameras, radians in [0, pi]; exact for small angles.
 double rotationBetween(const Camera& a, const Camera& b);

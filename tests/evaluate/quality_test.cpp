@@ -138,5 +138,30 @@ TEST(Quality, AFlightMayLeaveTheCube) {
   EXPECT_EQ(measureQuality(evaluation).framesOutsideCube, outside);
 }
 
+// The same bits, however a flight is cut: jumps between the parts count, and nothing twice.
+TEST(Quality, PartsMakeUpTheWhole) {
+  Flight flight = newFlight();
+  Key key = flight.keys.front();
+  flight.keys = KeyList();
+  for (const double x : {-1.0, 1.0, 1.0, -1.0}) {
+    key.position = {x, 0.1 * static_cast<double>(flight.keys.size()), 0.5};
+    key.orientations.front().duration = 0.5 + x * x * static_cast<double>(flight.keys.size());
+    key.orientations.front().roll = 40.0 * x;
+    flight.keys.push_back(key);
+  }
+  const Evaluation evaluation(flight);
+  const Quality whole = measureQuality(evaluation);
+  EXPECT_GT(whole.maxSpeedJump, 0.1);
+  EXPECT_GT(whole.framesOutsideCube, 5);
+  const std::int64_t all = evaluation.frameCount();
+  for (const std::int64_t part : {1, 2, 3, 7, 50, 1000}) {
+    Quality parts;
+    for (std::int64_t first = 0; first < all; first += part) {
+      parts = together(parts, measureQuality(evaluation, first, std::min(all, first + part)));
+    }
+    EXPECT_EQ(parts, whole) << part;
+  }
+}
+
 }  // namespace
 }  // namespace vides
