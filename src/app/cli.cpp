@@ -268,6 +268,7 @@ class Parser {
       return;
     }
     std::vector<std::string> names;
+    names.reserve(std::size(kFrameFormats));
     for (const FrameFormat format : kFrameFormats) names.emplace_back(name(format));
     const std::string near = nearestWord(text, names);
     throw CLI::ValidationError("--format",
