@@ -58,14 +58,7 @@ SessionSeams seamsOf(const EditorOptions& options) {
   seams.clipboard = options.clipboard;
   seams.setClipboard = options.setClipboard;
   seams.ran = options.ran;
-  // The size of a scene, so that the first one imported fits the cube.
-  seams.sceneBounds = [](const std::string& path) -> tl::expected<SceneBounds, Text> {
-    const ReadScene read = readSceneFile(path);
-    if (!read) {
-      return tl::unexpected(Text("error.scene", {problemLine(path, read.error())}));
-    }
-    return read->box ? SceneBounds{read->box->low, read->box->high} : SceneBounds{};
-  };
+  seams.readsInBackground = !options.waitForWork;
   return seams;
 }
 
@@ -292,7 +285,8 @@ FrameOutcome Editor::Parts::outcome() {
     result.nextFrameIn = std::min(result.nextFrameIn.value_or(seconds), std::max(0.0, seconds));
   };
   if (input.waiting()) want(0.0);
-  if (settling > 0 || glide || graphs.measuring() || cameraTools.walking() || session.frameJob())
+  if (settling > 0 || glide || graphs.measuring() || cameraTools.walking() || session.frameJob() ||
+      session.reading())
     want(kDisplayFrame);
   if (const auto due = session.playback().nextFrameAt(session.flight().frameRate)) {
     want(*due - time);

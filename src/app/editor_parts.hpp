@@ -48,7 +48,6 @@ struct Editor::Parts {
   Session session;
   std::optional<ImguiRenderer> imguiRenderer;
   std::unique_ptr<FlightPictures> pictures;
-  SceneCache scenes;
   FlightGraphs graphs;
 
   double scale = 0.0;  // 0 before the first frame

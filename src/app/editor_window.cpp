@@ -133,10 +133,8 @@ void Editor::Parts::rightPanels(Ui& ui, Stack& column, Actions& actions) {
   const Rect picture = cameraPanel(ui, column, session, actions);
   const bool film = !session.view().swapped;
   pictureArea(ui, picture, film, true);
-  const SharedScene scene = scenes.of(session.flight(), session.path(), [&](const auto& why) {
-    session.say(MessageKind::kError, Text("error.scene", {why}));
-  });
-  pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, scene, viewportState());
+  pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, session.scenes(),
+                   viewportState());
   if (film && session.freeCamera()) freeViewSign(ui, picture);
   spherePanel(ui, column, session, graphs, actions);
   measuresPanel(ui, column, session, graphs);
@@ -184,16 +182,15 @@ void Editor::Parts::pointerNote(Ui& ui, const std::string& told, const Vec2& at,
 
 void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
   region("###viewport", rect, [&](const Rect&) {
-    const SharedScene scene = scenes.of(session.flight(), session.path(), [&](const auto& why) {
-      session.say(MessageKind::kError, Text("error.scene", {why}));
-    });
-    pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, scene, viewportState());
+    pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, session.scenes(),
+                       viewportState());
     if (session.layout().bare) return;
     const bool film = session.view().swapped;
     if (!film && session.display().sliders && roomForSliders(ui, rect)) {
       if (const auto next = viewportSliders(ui, rect, session)) actions.view = next;
     }
     film ? filmText(ui, rect) : viewportText(ui, rect);
+    readingSign(ui, rect, session, actions);
     pictureArea(ui, rect, film, false);
   });
 }

@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-
-#include "scene/obj_reader.hpp"
 
 namespace vides {
 namespace {
+
+using Scenes = std::vector<SharedDrawable>;
 
 PixelRectangle pixels(const Rect& rect) {
   return {static_cast<double>(rect.x), static_cast<double>(rect.y),
@@ -19,14 +18,14 @@ PixelRectangle pixels(const Rect& rect) {
           static_cast<double>(std::max(1.0f, rect.height))};
 }
 
-CameraInput cameraInput(const Session& session, const SharedScene& scene, const Rect& rect,
+CameraInput cameraInput(const Session& session, const Scenes& scenes, const Rect& rect,
                         const Theme& theme, float scale) {
   CameraInput input;
   input.camera = session.camera();
   input.picture = session.flight().picture;
   input.lens = session.flight().lens;
   input.space = session.flight().space;
-  input.scene = session.display().shown.scene ? scene : nullptr;
+  if (session.display().shown.scene) input.scenes = scenes;
   input.rectangle = pixels(rect);
   input.contentScale = static_cast<double>(scale);
   input.lines = session.display().sizes.lines;
@@ -36,11 +35,11 @@ CameraInput cameraInput(const Session& session, const SharedScene& scene, const 
   return input;
 }
 
-ViewportInput viewportInput(const Ui& ui, const Session& session, const SharedScene& scene,
+ViewportInput viewportInput(const Ui& ui, const Session& session, const Scenes& scenes,
                             const Rect& rect, const Theme& theme) {
   ViewportInput input;
   input.evaluation = session.evaluation();
-  input.scene = scene;
+  input.scenes = scenes;
   input.view = session.view().view;
   input.rectangle = pixels(rect);
   input.contentScale = static_cast<double>(ui.scale());
@@ -70,28 +69,6 @@ void addTexts(const Ui& ui, ImDrawList& list, const DrawList& picture) {
 
 }  // namespace
 
-SharedScene SceneCache::of(const Flight& flight, const std::string& flightPath,
-                           const std::function<void(const std::string&)>& refused) {
-  if (files_ == flight.scene && path_ == flightPath) return scene_;
-  files_ = flight.scene;
-  path_ = flightPath;
-  scene_ = nullptr;
-  SceneGeometry all;
-  const auto folder = std::filesystem::path(flightPath).parent_path();
-  for (const SceneFile& file : files_) {
-    const ReadScene read = readSceneFile(sceneFilePath(folder, file.file));
-    if (read) {
-      appendScene(all, *read);
-    } else {
-      refused(problemLine(file.file, read.error()));
-    }
-  }
-  if (all.empty()) return scene_;
-  finishScene(all);
-  scene_ = std::make_shared<const SceneGeometry>(std::move(all));
-  return scene_;
-}
-
 tl::expected<std::unique_ptr<FlightPictures>, std::string> FlightPictures::create(const Gl& gl) {
   auto renderer = SceneRenderer::create(gl);
   if (!renderer) return Failure(renderer.error());
@@ -115,17 +92,16 @@ std::optional<CurveHit> FlightPictures::curveUnder(const Vec2& pixel, double rea
 }
 
 void FlightPictures::add(bool film, const Ui& ui, ImDrawList& list, const Rect& rect,
-                         const Session& session, const SharedScene& scene,
-                         const ViewportState& state) {
+                         const Session& session, const Scenes& scenes, const ViewportState& state) {
   if (rect.empty()) return;
   const Theme& theme = ui.theme();
   const DrawList* picture = nullptr;
   if (film) {
     filmRect_ = rect;
-    picture = filmList_ = &filmScene_.build(cameraInput(session, scene, rect, theme, ui.scale()));
+    picture = filmList_ = &filmScene_.build(cameraInput(session, scenes, rect, theme, ui.scale()));
   } else {
     flightRect_ = rect;
-    ViewportInput input = viewportInput(ui, session, scene, rect, theme);
+    ViewportInput input = viewportInput(ui, session, scenes, rect, theme);
     input.state = state;
     picture = flightList_ = &flightScene_.build(input);
   }
@@ -138,15 +114,15 @@ void FlightPictures::add(bool film, const Ui& ui, ImDrawList& list, const Rect& 
 }
 
 void FlightPictures::viewport(const Ui& ui, ImDrawList& list, const Rect& rect,
-                              const Session& session, const SharedScene& scene,
+                              const Session& session, const Scenes& scenes,
                               const ViewportState& state) {
-  add(session.view().swapped, ui, list, rect, session, scene, state);
+  add(session.view().swapped, ui, list, rect, session, scenes, state);
 }
 
 void FlightPictures::camera(const Ui& ui, ImDrawList& list, const Rect& rect,
-                            const Session& session, const SharedScene& scene,
+                            const Session& session, const Scenes& scenes,
                             const ViewportState& state) {
-  add(!session.view().swapped, ui, list, rect, session, scene, state);
+  add(!session.view().swapped, ui, list, rect, session, scenes, state);
 }
 
 void FlightPictures::prepare(int width, int height) {

@@ -2,11 +2,11 @@
 // The viewport's and the camera's picture inside the window.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "edit/session.hpp"
 #include "panels/ui.hpp"
@@ -16,19 +16,6 @@
 #include "scene/viewport_scene.hpp"
 
 namespace vides {
-
-// The scene files of a flight, read when the list of files changes.
-class SceneCache {
- public:
-  // The geometry of all files that can be read; what can't is told to `refused`, once.
-  SharedScene of(const Flight& flight, const std::string& flightPath,
-                 const std::function<void(const std::string&)>& refused);
-
- private:
-  std::vector<SceneFile> files_;
-  std::string path_;
-  SharedScene scene_;
-};
 
 // The two pictures of a display frame, and how they get into Dear ImGui's draw lists. Each function
 // adds its picture at once and draws it when the lists are drawn, straight into the window: what it
@@ -40,10 +27,10 @@ class FlightPictures {
 
   // The flight from outside, or, with camera view and viewport swapped, what the camera sees.
   void viewport(const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
-                const SharedScene& scene, const ViewportState& state);
+                const std::vector<SharedDrawable>& scenes, const ViewportState& state);
   // The other one, in the column.
   void camera(const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
-              const SharedScene& scene, const ViewportState& state);
+              const std::vector<SharedDrawable>& scenes, const ViewportState& state);
   // Before the lists are drawn: the size of the framebuffer in pixels.
   void prepare(int width, int height);
 
@@ -62,7 +49,7 @@ class FlightPictures {
  private:
   explicit FlightPictures(SceneRenderer renderer) : renderer_(std::move(renderer)) {}
   void add(bool film, const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
-           const SharedScene& scene, const ViewportState& state);
+           const std::vector<SharedDrawable>& scenes, const ViewportState& state);
   template <const DrawList* FlightPictures::*kPicture>
   static void draw(const ImDrawList* list, const ImDrawCmd* command);
 

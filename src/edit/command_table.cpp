@@ -40,6 +40,7 @@ bool canRedo(const Session& s) { return s.redoName().has_value(); }
 bool hasPath(const Session& s) { return !s.path().empty(); }
 bool hasFreeCamera(const Session& s) { return s.freeCamera().has_value(); }
 bool writesFrames(const Session& s) { return s.frameJob() != nullptr; }
+bool readsScenes(const Session& s) { return s.reading().has_value(); }
 bool writesNothing(const Session& s) { return s.frameJob() == nullptr; }
 bool hasQuestion(const Session& s) { return s.question().has_value(); }
 bool hasShapeWindow(const Session& s) { return s.inWindow() && s.windowOpen("shape"); }
@@ -70,11 +71,12 @@ void addFileCommands(Table& t) {
          {choice("CHOICE", {"save", "discard", "overwrite", "save-as", "enlarge", "recover",
                             "forget", "later", "stop", "cancel"})},
          Acts::answer, hasQuestion);
-  addExclusive(t, "import-scene", {optional(text("FILE"))}, Acts::addScene);
+  addExclusive(t, "import-scene", {optional(text("FILE"))}, Acts::importScene);
   addEdit(t, "add-scene",
           {text("FILE"), optional(number("LOW_X")), number("LOW_Y"), number("LOW_Z"),
            number("HIGH_X"), number("HIGH_Y"), number("HIGH_Z")},
           addSceneEdit);
+  addAct(t, "cancel-reading", {}, Acts::cancelReading, readsScenes);
   addEdit(t, "remove-scene", {index("NUMBER")}, removeSceneEdit);
 }
 

@@ -31,7 +31,8 @@ bool sameButKeys(const Flight& a, const Flight& b) {
 
 }  // namespace
 
-Session::Session(SessionSeams seams) : seams_(std::move(seams)), history_(seams_.historyBytes) {
+Session::Session(SessionSeams seams)
+    : seams_(std::move(seams)), history_(seams_.historyBytes), scenes_(!seams_.readsInBackground) {
   reset(newFlight());
 }
 Session::~Session() = default;
@@ -58,6 +59,9 @@ void Session::reset(Flight flight) {
                           .space = frameOutput_.options.space};
   frameOutput_.file.clear();
   framesAgreed_.clear();
+  for (const Import& import : imports_) import.reading->cancel();
+  imports_.clear();
+  ++document_;
 }
 
 bool Session::beginWithSample(const std::string& path) {
@@ -310,6 +314,7 @@ void Session::makeCurrent(const Marks& marks) {
 void Session::advance(double now) {
   playback_.advance(now, state_.evaluation.frameCount(), state_.flight.frameRate);
   collectFrames();
+  collectScenes();
 }
 
 Camera Session::camera() const {

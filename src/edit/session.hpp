@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,6 +30,7 @@
 #include "edit/view_state.hpp"
 #include "evaluate/evaluation.hpp"
 #include "flight/flight.hpp"
+#include "scene/scene_store.hpp"
 
 namespace vides {
 
@@ -64,20 +66,16 @@ struct Question {
 // What is to become of work that an editor left unsaved.
 enum class RecoveryAnswer { kRecover, kForget, kLater };
 
-// A box in scene units.
-struct SceneBounds {
-  Vec3 low{0.0}, high{0.0};
-};
-
 // What the session needs from outside. Everything may be left out: the clipboard is then the
-// session's own, and scenes have no size.
+// session's own.
 struct SessionSeams {
   std::function<std::string()> clipboard;
   std::function<void(const std::string&)> setClipboard;
-  std::function<tl::expected<SceneBounds, Text>(const std::string& path)> sceneBounds;
   // Told of every command that did what it says, also of those that preview.
   std::function<void(const Command&)> ran;
   std::size_t historyBytes = History::kMostBytes;
+  // Whether a large scene may be read while it goes on; else whatever reads one waits for it.
+  bool readsInBackground = false;
 };
 
 class Session {
@@ -142,6 +140,16 @@ class Session {
   std::optional<RecoveryAnswer> takeRecoveryAnswer() {
     return std::exchange(recoveryAnswer_, std::nullopt);
   }
+  // The flight's scenes as far as they have been read: large ones come later. What can't be read is
+  // left out, and told once in the output line.
+  std::vector<SharedDrawable> scenes();
+  // What is being read, for scenes() or an import.
+  struct Reading {
+    std::string file;   // the name of the first one
+    std::size_t files;  // at work
+    double share;       // of them all, 0 to 1
+  };
+  std::optional<Reading> reading() const;
   // Looks whether another program has changed or deleted the file, and tells so once.
   void checkDisk();
 
@@ -231,6 +239,7 @@ class Session {
   void endGesture();
   void reset(Flight flight);
   void collectFrames();
+  void collectScenes();
 
   SessionSeams seams_;
   EditState state_;
@@ -264,6 +273,17 @@ class Session {
   FrameOutput frameOutput_;
   std::string framesAgreed_;  // the file that may be overwritten unasked
   std::unique_ptr<FrameJob> frameJob_;
+  SceneStore scenes_;
+  struct Import {
+    SharedReading reading;
+    std::string path;
+  };
+  std::vector<Import> imports_;  // the next one first
+  // Of the scenes that are shown: as the flight named them, from where, and the whole paths.
+  std::vector<SceneFile> sceneFiles_;
+  std::string scenesFrom_;
+  std::vector<std::filesystem::path> scenePaths_;
+  std::int64_t document_ = 0;  // another number with each New and Open
   bool quit_ = false;
   bool fullScreen_ = false;
 };

@@ -41,7 +41,11 @@ struct SessionActions {
   static Result revert(Session& session, const Arguments& arguments);
   static Result quit(Session& session, const Arguments& arguments);
   static Result answer(Session& session, const Arguments& arguments);
-  static Result addScene(Session& session, const Arguments& arguments);
+
+  // Scenes.
+  static Result importScene(Session& session, const Arguments& arguments);
+  static Result finishImport(Session& session, const Session::Import& import);
+  static Result cancelReading(Session& session, const Arguments& arguments);
 
   // The playhead.
   static Result play(Session& session, const Arguments& arguments);

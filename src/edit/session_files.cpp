@@ -235,25 +235,6 @@ Result SessionActions::quit(Session& session, const Arguments&) {
   return askBeforeLoss(session, Command("quit"));
 }
 
-Result SessionActions::addScene(Session& session, const Arguments& arguments) {
-  if (!arguments.has(0)) {
-    openWindow(session, "chooser-import");
-    return {};
-  }
-  Flight place;
-  place.scene.push_back(SceneFile{arguments.text(0), {}});
-  moveScenePaths(place, "", session.path());
-  Command command("add-scene", place.scene.front().file);
-  if (session.seams_.sceneBounds) {
-    const auto bounds = session.seams_.sceneBounds(arguments.text(0));
-    if (!bounds) return failed(session, bounds.error());
-    command.add(bounds->low);
-    command.add(bounds->high);
-  }
-  hideWindow(session, "chooser-import");
-  return session.run(command);
-}
-
 // --- The setup ---
 
 Result SessionActions::loadSetup(Session& session, const Arguments& arguments) {

@@ -14,6 +14,9 @@ Rect sizeSliderPlace(const Ui& ui, const Rect& rect);
 // What the sliders ask for; they change the view, which is no step of the history.
 std::optional<EditorView> viewportSliders(Ui& ui, const Rect& rect, const Session& session);
 
+// In the viewport while scenes are read: how far it is, and a button that stops it.
+void readingSign(Ui& ui, const Rect& viewport, const Session& session, Actions& actions);
+
 // A line between two regions that can be dragged, and folds its region at a double click. Gives
 // back by how many pixels (at content scale 1) it was dragged.
 struct SplitterChange {

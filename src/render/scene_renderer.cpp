@@ -37,6 +37,17 @@ struct PixelBox {
   GLsizei width, height;
 };
 
+// For coordinates of the geometry's own, from what is meant for the cube's.
+glm::mat4 placed(glm::dmat4 matrix, const Placement& place) {
+  matrix[3] = matrix * glm::dvec4(place.origin, 1.0);
+  for (int i = 0; i < 3; ++i) matrix[i] *= place.unit;
+  return glm::mat4(matrix);
+}
+glm::vec4 placed(const glm::dvec4& plane, const Placement& place) {
+  return glm::vec4(
+      glm::dvec4(place.unit * Vec3(plane), glm::dot(plane, glm::dvec4(place.origin, 1.0))));
+}
+
 // The pixels whose middles lie in the rectangle.
 PixelBox pixelBox(const PixelRectangle& r, int width, int height) {
   const auto clamped = [](double value, int most) {
@@ -88,8 +99,10 @@ struct SceneRenderer::Parts {
   GLint markerHalfWidth = -1, markerFill = -1;
 
   // Of the list that is being drawn.
-  glm::mat4 cubeToClip{1.0f}, pixelsToClip{1.0f};
-  glm::vec4 rectangle{0.0f}, depthPlane{0.0f};
+  glm::dmat4 cubeToClip{1.0};
+  glm::mat4 pixelsToClip{1.0f};
+  glm::dvec4 depthPlane{0.0};
+  glm::vec4 rectangle{0.0f};
   glm::vec2 target{1.0f};
   glm::vec3 groundColour{0.0f};
   float nearest = 0.0f;
@@ -97,6 +110,7 @@ struct SceneRenderer::Parts {
   // What the program in use has been told last.
   GLuint programInUse = 0;
   DrawSpace spaceInUse = DrawSpace::kCube;
+  Placement placeInUse;
   Statistics statistics;
 };
 
@@ -180,7 +194,7 @@ tl::expected<void, std::string> SceneRenderer::Parts::build() {
 void SceneRenderer::Parts::setUp(const DrawList& list, int width, int height) {
   const ViewProjection& view = list.view;
   const PixelRectangle& r = view.pixels();
-  cubeToClip = glm::mat4(view.matrix());
+  cubeToClip = view.matrix();
   glm::dmat4 pixels(1.0);
   pixels[0][0] = 2.0 / r.width;
   pixels[1][1] = -2.0 / r.height;
@@ -195,7 +209,7 @@ void SceneRenderer::Parts::setUp(const DrawList& list, int width, int height) {
           ? static_cast<float>(mapping.projectionReferencePoint.z - mapping.frontPlaneDistance)
           : 0.0f;
   const Vec3 along = view.viewingDirection() / (2.0 * list.depthRadius);
-  depthPlane = glm::vec4(glm::dvec4(along, 0.5 - glm::dot(along, list.depthTarget)));
+  depthPlane = glm::dvec4(along, 0.5 - glm::dot(along, list.depthTarget));
   groundColour = glm::vec3(toVector(mix(list.groundTop, list.groundBottom, 0.5)));
   programInUse = 0;
 }
@@ -261,11 +275,12 @@ void SceneRenderer::Parts::use(const ShaderProgram& program, const Uniforms& u,
     if (u.least >= 0) gl.Uniform1f(u.least, least);
   }
   const bool inPixels = item.space == DrawSpace::kPixels;
-  if (changes || spaceInUse != item.space) {
+  if (changes || spaceInUse != item.space || !(placeInUse == item.place)) {
     spaceInUse = item.space;
-    const glm::vec4 plane = inPixels ? glm::vec4(0.0f) : depthPlane;
+    placeInUse = item.place;
+    const glm::vec4 plane = inPixels ? glm::vec4(0.0f) : placed(depthPlane, item.place);
     gl.UniformMatrix4fv(u.toClip, 1, GL_FALSE,
-                        glm::value_ptr(inPixels ? pixelsToClip : cubeToClip));
+                        glm::value_ptr(inPixels ? pixelsToClip : placed(cubeToClip, item.place)));
     gl.Uniform4fv(u.depthPlane, 1, glm::value_ptr(plane));
     if (u.nearest >= 0) gl.Uniform1f(u.nearest, inPixels ? 0.0f : nearest);
   }

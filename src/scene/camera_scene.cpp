@@ -8,6 +8,7 @@
 #include "scene/cube_part.hpp"
 #include "scene/floor_part.hpp"
 #include "scene/geometry_slot.hpp"
+#include "scene/scene_part.hpp"
 
 namespace vides {
 namespace {
@@ -39,7 +40,6 @@ struct CameraScene::Parts {
   DrawList list;
   CubePart cube;
   FloorPart floor;
-  ScenePart scene;
   GeometrySlot guides;
 };
 
@@ -78,12 +78,11 @@ const DrawList& CameraScene::build(const CameraInput& input) {
   list.items.clear();
 
   const auto lineWidth = static_cast<float>(input.lines * input.contentScale);
-  const bool noScene = !input.scene || input.scene->empty();
-  if (input.surroundings.value_or(noScene)) {
+  if (input.surroundings.value_or(input.scenes.empty())) {
     p.floor.add(list, input.theme, input.contentScale);
     p.cube.add(list, input.theme, input.contentScale, lineWidth);
   }
-  p.scene.add(list, input.scene, input.space, input.sceneAsPoints, input.theme, lineWidth);
+  addScenes(list, {input.scenes, input.space, input.sceneAsPoints, lineWidth}, input.theme);
 
   std::vector<GeometryPoint> guides;
   if (input.thirds) addThirds(guides, picture);

@@ -4,12 +4,13 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "evaluate/section.hpp"
 #include "flight/flight.hpp"
 #include "math/view_projection.hpp"
 #include "scene/draw_list.hpp"
-#include "scene/scene_geometry.hpp"
+#include "scene/drawable_scene.hpp"
 #include "scene/theme.hpp"
 
 namespace vides {
@@ -18,8 +19,8 @@ struct CameraInput {
   Camera camera;
   PictureFormat picture;
   Lens lens;
-  Space space;        // of the scene
-  SharedScene scene;  // may be null
+  Space space;                         // of the scenes
+  std::vector<SharedDrawable> scenes;  // none of them null
   PixelRectangle rectangle;
   double contentScale = 1.0;
   double lines = 1.2;  // width of cube and scene, at content scale 1
@@ -39,7 +40,7 @@ PixelRectangle letterbox(const PixelRectangle& rectangle, const PictureFormat& p
 ViewProjection cameraView(const Camera& camera, const PictureFormat& picture, const Lens& lens,
                           const PixelRectangle& rectangle);
 
-// Keeps the scene's geometry between calls, as ViewportScene does.
+// Keeps its geometry between calls, as ViewportScene does.
 class CameraScene {
  public:
   CameraScene();

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Decides which of the cube's edges lie behind, and brings a scene into the cube.
+// Decides which of the cube's edges lie behind.
 #include "scene/cube_part.hpp"
 
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "scene/curve_flattener.hpp"
-
 namespace vides {
 namespace {
 
 constexpr double kFacing = 1e-9;
-// OpenGL 3.3 promises buffer textures of 65,536 texels; an edge takes two.
-constexpr std::size_t kMostInChunk = 32768;
 
 // Whether the face where coordinate `axis` is `sign` is turned to the viewer.
 bool facesViewer(const ViewProjection& view, int axis, double sign) {
@@ -81,71 +77,6 @@ void CubePart::add(DrawList& list, const Theme& theme, double contentScale, floa
   item.style = LineStyle{colour, lineWidth};
   item.lift = -1;
   list.items.push_back(item);
-}
-
-// `place(element, points)` appends the points of an element.
-template <class Elements, class Place>
-std::vector<ScenePart::Chunk> ScenePart::divide(Primitive primitive, const Elements& elements,
-                                                Place place) {
-  std::vector<Chunk> chunks;
-  for (std::size_t first = 0; first < elements.size(); first += kMostInChunk) {
-    auto geometry = std::make_shared<Geometry>(Geometry{primitive, {}});
-    const std::size_t last = std::min(first + kMostInChunk, elements.size());
-    for (std::size_t i = first; i < last; ++i) place(elements[i], geometry->points);
-    const auto& front = geometry->points.front();
-    Chunk chunk{nullptr, {front.x, front.y, front.z}, {front.x, front.y, front.z}};
-    for (const GeometryPoint& p : geometry->points) {
-      chunk.low = glm::min(chunk.low, Vec3{p.x, p.y, p.z});
-      chunk.high = glm::max(chunk.high, Vec3{p.x, p.y, p.z});
-    }
-    chunk.geometry = std::move(geometry);
-    chunks.push_back(std::move(chunk));
-  }
-  return chunks;
-}
-
-void ScenePart::add(DrawList& list, const SharedScene& scene, const Space& space, bool asPoints,
-                    const Theme& theme, float lineWidth) {
-  if (!scene || scene->empty()) return;
-  if (scene != scene_ || !(space == space_) || asPoints != asPoints_) {
-    scene_ = scene;
-    space_ = space;
-    asPoints_ = asPoints;
-    const auto place = [&](const Vec3& position, std::vector<GeometryPoint>& points) {
-      points.push_back(geometryPoint(space.toCube(position)));
-    };
-    const auto placeAt = [&](std::uint32_t index, std::vector<GeometryPoint>& points) {
-      place(scene->positions[index], points);
-    };
-    edges_.clear();
-    if (asPoints) {
-      points_ = divide(Primitive::kMarkers, scene->positions, place);
-    } else {
-      points_ = divide(Primitive::kMarkers, scene->points, placeAt);
-      edges_ = divide(Primitive::kSegments, scene->edges,
-                      [&](const auto& edge, std::vector<GeometryPoint>& points) {
-                        placeAt(edge[0], points);
-                        placeAt(edge[1], points);
-                      });
-    }
-  }
-  const Colour colour = theme[ColourRole::kScene];
-  // A point is a little wider than a line, so that it is seen where none leads to it.
-  const float pointRadius = lineWidth * (1.3f / 1.2f);
-  DrawItem item;
-  item.fade = 0.45f;
-  const auto addChunks = [&](const std::vector<Chunk>& chunks) {
-    for (const Chunk& chunk : chunks) {
-      if (!mayBeSeen(list.view, chunk.low, chunk.high, 2.0 * static_cast<double>(pointRadius)))
-        continue;
-      item.geometry = chunk.geometry;
-      list.items.push_back(item);
-    }
-  };
-  item.style = MarkerStyle{MarkerShape::kDisc, colour, kNoColour, pointRadius};
-  addChunks(points_);
-  item.style = LineStyle{colour, lineWidth};
-  addChunks(edges_);
 }
 
 }  // namespace vides

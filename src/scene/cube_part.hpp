@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The cube, and the imported scene inside it.
+// The cube: its edges in front solid, those behind dashed.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "flight/flight.hpp"
 #include "math/view_projection.hpp"
 #include "scene/draw_list.hpp"
 #include "scene/geometry_slot.hpp"
-#include "scene/scene_geometry.hpp"
 #include "scene/theme.hpp"
 
 namespace vides {
@@ -41,27 +39,6 @@ class CubePart {
 
  private:
   GeometrySlot front_, back_;
-};
-
-// The scene in cube coordinates: made anew where the scene or the space is another. In chunks that
-// every OpenGL 3.3 can hold in one buffer texture; those that cannot be seen are left out.
-class ScenePart {
- public:
-  void add(DrawList& list, const SharedScene& scene, const Space& space, bool asPoints,
-           const Theme& theme, float lineWidth);
-
- private:
-  struct Chunk {
-    SharedGeometry geometry;
-    Vec3 low{0.0}, high{0.0};
-  };
-  template <class Elements, class Place>
-  static std::vector<Chunk> divide(Primitive primitive, const Elements& elements, Place place);
-
-  SharedScene scene_;
-  Space space_;
-  std::vector<Chunk> edges_, points_;
-  bool asPoints_ = false;
 };
 
 }  // namespace vides

@@ -101,6 +101,14 @@ enum class DrawDepth : std::uint8_t {
   kOnTop,   // drawn after all that is tested, one over the other in the list's order
 };
 
+// Where geometry stands that was made in coordinates of its own.
+struct Placement {
+  Vec3 origin{0.0};
+  double unit = 1.0;  // > 0
+  Vec3 at(const Vec3& point) const { return origin + unit * point; }
+  bool operator==(const Placement&) const = default;
+};
+
 inline constexpr std::size_t kAllElements = std::numeric_limits<std::size_t>::max();
 
 struct DrawItem {
@@ -109,6 +117,7 @@ struct DrawItem {
   std::size_t count = kAllElements;  // clipped to what the geometry has
   std::variant<LineStyle, MarkerStyle, FillStyle> style;
   DrawSpace space = DrawSpace::kCube;
+  Placement place;  // in the cube; pixels have none
   DrawDepth depth = DrawDepth::kTested;
   // How much of the ground's colour is mixed in at the far side of the cube, 0 to 1.
   float fade = 0.0f;

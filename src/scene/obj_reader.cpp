@@ -29,7 +29,7 @@ std::string shown(std::string_view text) {
 // The words of one statement. A backslash before the line's end goes on in the next line.
 class Statements {
  public:
-  explicit Statements(std::string_view text) : rest_(text) {}
+  explicit Statements(std::string_view text) : rest_(text), size_(text.size()) {}
 
   // False after the last line.
   bool nextLine() {
@@ -55,6 +55,10 @@ class Statements {
   }
 
   std::int64_t line() const { return line_; }
+  // How much of the text has been read, 0 to 1.
+  double share() const {
+    return 1.0 - static_cast<double>(rest_.size()) / static_cast<double>(size_);
+  }
 
  private:
   // The length of a continuation mark at this place, or 0.
@@ -92,16 +96,23 @@ class Statements {
   }
 
   std::string_view rest_;
+  std::size_t size_;  // of the whole text
   std::int64_t line_ = 0;
   bool atEnd_ = true;
 };
 
 class Reader {
  public:
-  explicit Reader(std::string_view text) : statements_(text) {}
+  Reader(std::string_view text, const KeepGoing& keepGoing)
+      : statements_(text), keepGoing_(keepGoing) {}
 
   ReadScene read() {
-    while (!problem_ && statements_.nextLine()) {
+    constexpr std::int64_t kBetween = 4096;  // lines from one telling to the next
+    for (std::int64_t tell = kBetween; !problem_ && statements_.nextLine();) {
+      if (keepGoing_ && statements_.line() >= tell) {
+        tell = statements_.line() + kBetween;
+        if (!keepGoing_(kFinishing * statements_.share())) return cancelled();
+      }
       const std::string_view keyword = statements_.word();
       if (keyword == "v") {
         readVertex();
@@ -116,10 +127,18 @@ class Reader {
     if (!problem_ && scene_.positions.empty()) problem_ = SceneProblem{SceneFault::kNothing, 0, ""};
     if (problem_) return tl::unexpected(std::move(*problem_));
     finishScene(scene_);
+    if (keepGoing_ && !keepGoing_(1.0)) return cancelled();
     return std::move(scene_);
   }
 
  private:
+  // Finishing begins at this share.
+  static constexpr double kFinishing = 0.8;
+
+  static ReadScene cancelled() {
+    return tl::unexpected(SceneProblem{SceneFault::kCancelled, 0, ""});
+  }
+
   void fail(SceneFault fault, std::string_view found) {
     problem_ = SceneProblem{fault, statements_.line(), shown(found)};
   }
@@ -216,6 +235,7 @@ class Reader {
   }
 
   Statements statements_;
+  const KeepGoing& keepGoing_;
   SceneGeometry scene_;
   std::vector<std::uint32_t> indices_;
   std::optional<SceneProblem> problem_;
@@ -223,9 +243,9 @@ class Reader {
 
 }  // namespace
 
-ReadScene readObj(std::string_view text) {
+ReadScene readObj(std::string_view text, const KeepGoing& keepGoing) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  return Reader(text).read();
+  return Reader(text, keepGoing).read();
 }
 
 }  // namespace vides

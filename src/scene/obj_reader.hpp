@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -28,6 +29,7 @@ enum class SceneFault : std::uint8_t {
   kTooFew,         // a face of fewer than 3 vertices, a line of fewer than 2, points of none
   kTooMany,        // more vertices than 32 bits count
   kNothing,        // no vertex at all
+  kCancelled,      // reading was stopped
 };
 
 struct SceneProblem {
@@ -37,17 +39,16 @@ struct SceneProblem {
   bool operator==(const SceneProblem&) const = default;
 };
 
-// "FILE:LINE: …" as a sentence without a full stop, in English; without the line where there is
-// none.
-std::string problemLine(std::string_view file, const SceneProblem& problem);
-
 inline constexpr std::uintmax_t kMostSceneBytes = std::uintmax_t{1} << 30;
 
 using ReadScene = tl::expected<SceneGeometry, SceneProblem>;
 
-ReadScene readObj(std::string_view text);
+// Told the share that is done, 0 to 1; false: stop, which gives kCancelled.
+using KeepGoing = std::function<bool(double share)>;
+
+ReadScene readObj(std::string_view text, const KeepGoing& keepGoing = {});
 // By the ending of its name; so far ".obj", in any case.
-ReadScene readSceneFile(const std::filesystem::path& file);
+ReadScene readSceneFile(const std::filesystem::path& file, const KeepGoing& keepGoing = {});
 
 // Where a scene file that a flight names is: `file` (UTF-8, "/" between folders) relative to the
 // flight's folder. The flight is the user's own document and may name a scene anywhere; what a

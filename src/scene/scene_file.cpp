@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds and reads scene files, and says in words what is wrong with one.
-#include <fmt/format.h>
-
+// Finds and reads scene files.
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
@@ -14,11 +12,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of all the work, what fetching the bytes is taken for.
+constexpr double kReadingShare = 0.1;
+
 tl::unexpected<SceneProblem> failure(SceneFault fault, std::string found = {}) {
   return tl::unexpected(SceneProblem{fault, 0, std::move(found)});
 }
 
-tl::expected<std::string, SceneProblem> readWhole(const fs::path& file) {
+tl::expected<std::string, SceneProblem> readWhole(const fs::path& file,
+                                                  const KeepGoing& keepGoing) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) {
@@ -34,7 +36,15 @@ tl::expected<std::string, SceneProblem> readWhole(const fs::path& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::string text(static_cast<std::size_t>(size), '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(size));
+  constexpr std::size_t kPortion = std::size_t{16} << 20;
+  for (std::size_t done = 0; done < text.size(); done += kPortion) {
+    const std::size_t portion = std::min(kPortion, text.size() - done);
+    stream.read(text.data() + done, static_cast<std::streamsize>(portion));
+    if (keepGoing && !keepGoing(kReadingShare * static_cast<double>(done + portion) /
+                                static_cast<double>(text.size()))) {
+      return failure(SceneFault::kCancelled);
+    }
+  }
   if (!stream) {
     const int reason = errno != 0 ? errno : EIO;
     return failure(SceneFault::kUnreadable, std::generic_category().message(reason));
@@ -49,44 +59,18 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-std::string problemText(const SceneProblem& problem) {
-  switch (problem.fault) {
-    case SceneFault::kUnreadable:
-      return problem.found;
-    case SceneFault::kNotAFile:
-      return "not a regular file";
-    case SceneFault::kTooLarge:
-      return fmt::format("larger than {} bytes", kMostSceneBytes);
-    case SceneFault::kUnknownFormat:
-      return fmt::format("scenes are read from .obj files, not from \"{}\"", problem.found);
-    case SceneFault::kNumber:
-      return fmt::format("expected three finite numbers after v, found \"{}\"", problem.found);
-    case SceneFault::kIndex:
-      return fmt::format("expected a vertex's number, from 1 or negative, found \"{}\"",
-                         problem.found);
-    case SceneFault::kNoSuchVertex:
-      return fmt::format("there is no vertex \"{}\" before this line", problem.found);
-    case SceneFault::kTooFew:
-      return fmt::format("expected more vertices, found {}", problem.found);
-    case SceneFault::kTooMany:
-      return "too many vertices";
-    case SceneFault::kNothing:
-      return "no vertices in it";
-  }
-  return {};
-}
-
 }  // namespace
 
-std::string problemLine(std::string_view file, const SceneProblem& problem) {
-  if (problem.line == 0) return fmt::format("{}: {}", file, problemText(problem));
-  return fmt::format("{}:{}: {}", file, problem.line, problemText(problem));
-}
-
-ReadScene readSceneFile(const fs::path& file) {
+ReadScene readSceneFile(const fs::path& file, const KeepGoing& keepGoing) {
   const std::string ending = file.extension().string();
   if (lowerCase(ending) != ".obj") return failure(SceneFault::kUnknownFormat, ending);
-  return readWhole(file).and_then([](const std::string& text) { return readObj(text); });
+  KeepGoing rest;
+  if (keepGoing) {
+    rest = [&](double share) { return keepGoing(kReadingShare + (1.0 - kReadingShare) * share); };
+  }
+  return readWhole(file, keepGoing).and_then([&](const std::string& text) {
+    return readObj(text, rest);
+  });
 }
 
 fs::path sceneFilePath(const fs::path& flightFolder, std::string_view file) {

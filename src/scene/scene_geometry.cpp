@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts a scene's edges in order and joins scenes.
+// Puts a scene's edges in order and measures it.
 #include "scene/scene_geometry.hpp"
 
 #include <algorithm>
@@ -18,22 +18,17 @@ void finishScene(SceneGeometry& scene) {
   // std::ranges::unique gives a subrange, which clang 14 (fuzzing, tidy) cannot compile.
   scene.edges.erase(std::unique(scene.edges.begin(), scene.edges.end()), scene.edges.end());
 
-  scene.box.reset();
-  for (const Vec3& p : scene.positions) {
-    if (!scene.box) scene.box = BoundingBox{p, p};
-    scene.box->low = glm::min(scene.box->low, p);
-    scene.box->high = glm::max(scene.box->high, p);
-  }
+  scene.box = boundsOf(scene.positions);
 }
 
-void appendScene(SceneGeometry& scene, const SceneGeometry& other) {
-  const auto base = static_cast<std::uint32_t>(scene.positions.size());
-  scene.positions.insert(scene.positions.end(), other.positions.begin(), other.positions.end());
-  for (const auto& edge : other.edges) scene.edges.push_back({edge[0] + base, edge[1] + base});
-  for (const auto& t : other.triangles) {
-    scene.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+std::optional<BoundingBox> boundsOf(const std::vector<Vec3>& positions) {
+  if (positions.empty()) return std::nullopt;
+  BoundingBox box{positions.front(), positions.front()};
+  for (const Vec3& p : positions) {
+    box.low = glm::min(box.low, p);
+    box.high = glm::max(box.high, p);
   }
-  for (const auto point : other.points) scene.points.push_back(point + base);
+  return box;
 }
 
 }  // namespace vides

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -29,12 +28,10 @@ struct SceneGeometry {
 
   bool empty() const { return positions.empty(); }
 };
-using SharedScene = std::shared_ptr<const SceneGeometry>;
 
 // Sorts the edges, takes each once, drops those from a point to itself, and measures the box.
 void finishScene(SceneGeometry& scene);
 
-// Appends another scene, in the same units; finish afterwards.
-void appendScene(SceneGeometry& scene, const SceneGeometry& other);
+std::optional<BoundingBox> boundsOf(const std::vector<Vec3>& positions);
 
 }  // namespace vides

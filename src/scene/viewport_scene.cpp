@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/scene_part.hpp"
 #include "scene/viewport_parts.hpp"
 
 namespace vides {
@@ -14,7 +15,6 @@ struct ViewportScene::Parts {
   Evaluation evaluation;
   CubePart cube;
   GridPart grid;
-  ScenePart scene;
   CurvePart curve;
   KeysPart keys;
   TangentsPart tangents;
@@ -49,8 +49,8 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
   const float lineWidth = context.pixels(input.sizes.lines);
   if (input.shown.cube) p.cube.add(list, input.theme, input.contentScale, lineWidth);
   if (input.shown.scene) {
-    p.scene.add(list, input.scene, context.flight().space, input.shown.sceneAsPoints, input.theme,
-                lineWidth);
+    addScenes(list, {input.scenes, context.flight().space, input.shown.sceneAsPoints, lineWidth},
+              input.theme);
   }
   p.cameras.add(context);
   p.curve.add(context);

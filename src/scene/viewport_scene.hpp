@@ -17,7 +17,7 @@
 #include "evaluate/evaluation.hpp"
 #include "math/view_projection.hpp"
 #include "scene/draw_list.hpp"
-#include "scene/scene_geometry.hpp"
+#include "scene/drawable_scene.hpp"
 #include "scene/theme.hpp"
 
 namespace vides {
@@ -93,7 +93,7 @@ struct Margins {
 
 struct ViewportInput {
   Evaluation evaluation;
-  SharedScene scene;  // may be null
+  std::vector<SharedDrawable> scenes;  // none of them null
   EditorView view;
   PixelRectangle rectangle;
   double contentScale = 1.0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -394,6 +395,43 @@ TEST(Editor, GoesOnWhileFramesAreWritten) {
   EXPECT_EQ(session.frameJob(), nullptr);
   EXPECT_EQ(player.editor().widgets().find("frames/progress"), nullptr);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+// A large scene is read beside the window, too, which shows how far it is.
+TEST(Editor, GoesOnWhileASceneIsRead) {
+  const test::TemporaryFolder folder;
+  // Takes many times as long to read as a click does, but not to draw.
+  std::string scene = "v 0 0 0\nv 976 330 0.125\np 1 2\n";
+  for (int i = 0; i < 12000000; ++i) scene += "vn 0 0 1\n";
+  test::writeAll(folder / "large.obj", scene);
+  Stage one = stage({960, 600}, 1.0);
+  one.player.reset();
+  one.player = std::move(*Player::create(*one.host, false));
+  Player& player = *one.player;
+  Session& session = player.editor().session();
+  const auto wait = [&] {
+    while (session.reading()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    player.frame();
+  };
+  const Command import("import-scene", (folder / "large.obj").string());
+  player.frame();
+  ASSERT_TRUE(player.perform(import));
+  player.frame();
+  ASSERT_TRUE(session.reading());
+  EXPECT_TRUE(player.unfinished());  // how far it is goes on being shown
+  EXPECT_NE(player.editor().widgets().find("view/reading"), nullptr);
+  ASSERT_TRUE(player.clickWidget("view/stop_reading"));
+  wait();
+  EXPECT_EQ(session.output().text.key, "output.import-cancelled");
+  EXPECT_TRUE(session.flight().scene.empty());
+  EXPECT_EQ(player.editor().widgets().find("view/stop_reading"), nullptr);
+
+  ASSERT_TRUE(player.perform(import));
+  ASSERT_TRUE(player.perform(Command("set-zoom", 40.0)));  // meanwhile
+  EXPECT_EQ(session.currentOrientation().zoom, 40.0);
+  wait();
+  EXPECT_EQ(session.history().steps(), 2u);
+  EXPECT_EQ(session.scenes().size(), 1u);
 }
 
 // So many keys on a spiral in the cube.

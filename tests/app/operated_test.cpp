@@ -29,13 +29,13 @@ Lines operatedByScripts() {
 }
 
 // Nothing that a script can operate: it says something only, or it waits for what this build lacks,
-// or for what can't happen between two lines: a crash before the start, frames that are still being
-// written at the end, another program that changes the file (the tests of edit/ and kept_test do
+// or for what can't happen between two lines: a crash before the start, frames or scenes that
+// are still at work, another program that changes the file (the tests of edit/ and kept_test do
 // those).
 bool restsAlways(const Widget& widget) {
-  constexpr std::string_view kNever[] = {"menu/output/host", "question/recover",
-                                         "question/forget",  "question/later",
-                                         "question/stop",    "question/save-as"};
+  constexpr std::string_view kNever[] = {"menu/output/host", "question/recover", "question/forget",
+                                         "question/later",   "question/stop",    "question/save-as",
+                                         "view/stop_reading"};
   return widget.kind == WidgetKind::kText ||
          std::find(std::begin(kNever), std::end(kNever), widget.id) != std::end(kNever);
 }
@@ -48,8 +48,9 @@ std::string widgetName(const std::string& id) {
 Lines registered() {
   Lines all;
   for (const CommandSpecification& command : commandTable()) all.insert("command " + command.name);
-  // Scripts wait for what is written: between two lines there is nothing to cancel.
+  // Scripts wait for what is written and read: between two lines there is nothing to cancel.
   all.erase("command cancel-frames");
+  all.erase("command cancel-reading");
   for (const Shortcut& shortcut : shortcutTable()) all.insert("shortcut " + scriptName(shortcut));
   const auto host = openOffscreen(OffscreenKind::kOsmesa, {});
   EXPECT_TRUE(host);

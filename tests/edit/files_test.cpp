@@ -206,6 +206,7 @@ TEST_F(Files, RevertReadsAgainAndCanBeUndone) {
 TEST_F(Files, ScenePathsStayRelativeToTheFlight) {
   fs::create_directories(folder_ / "flights");
   fs::create_directories(folder_ / "scenes");
+  writeFile(path("scenes/pyramid.obj"), "v -1 -1 -1\nv 1 1 1\nl 1 2\n");
   Session session;
   run(session, "import-scene " + path("scenes/pyramid.obj"));
   EXPECT_EQ(session.flight().scene[0].file,

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "fuzz/require.hpp"
+#include "scene/drawable_scene.hpp"
 #include "scene/obj_reader.hpp"
 
 namespace vides::test {
@@ -15,8 +16,8 @@ namespace {
 void checkProblem(std::string_view text, const SceneProblem& problem) {
   const auto lines = std::count(text.begin(), text.end(), '\n') + 1;
   require(problem.line >= 0 && problem.line <= lines, "a fault is in a line of the file");
-  const std::string words = problemLine("f.obj", problem);
-  require(words.size() > 7 && words.size() < 200, "a fault is told in a sentence");
+  const std::string& words = problem.found;
+  require(words.size() < 40, "what was found is told shortly");
   require(std::all_of(words.begin(), words.end(), [](char c) { return c >= ' ' && c <= '~'; }),
           "a fault upsets no terminal");
 }
@@ -55,6 +56,24 @@ bool plain(std::string_view text) {
   return text.find_first_of(kOdd) == text.npos && !text.starts_with("\xef\xbb\xbf");
 }
 
+void checkDrawable(const SceneGeometry& scene) {
+  const SharedDrawable drawable = DrawableScene::make(scene);
+  const auto check = [](const DrawableScene::Tiles& tiles, std::size_t elements) {
+    std::size_t sum = 0;
+    for (const auto& tile : tiles) {
+      for (const GeometryPoint& p : tile.details.front().geometry->points) {
+        require(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= 1.0f,
+                "what is drawn is within -1 and 1");
+      }
+      sum += tile.details.front().geometry->elements();
+    }
+    require(sum == elements, "everything is drawn");
+  };
+  check(drawable->edges(), scene.edges.size());
+  check(drawable->points(), scene.points.size());
+  check(drawable->positions(), scene.positions.size());
+}
+
 void checkScene(std::string_view text, const SceneGeometry& scene) {
   require(!scene.positions.empty(), "a scene has a vertex");
   // "v 0 0 0", "f 1 1 1": nothing grows beyond what the file has words for.
@@ -74,6 +93,7 @@ void checkScene(std::string_view text, const SceneGeometry& scene) {
   }
   for (const std::uint32_t point : scene.points) require(point < count, "points are vertices");
   checkBox(scene);
+  checkDrawable(scene);
   if (plain(text)) {
     require(scene.positions == positionsIn(std::string(text)), "numbers are as others read them");
   }

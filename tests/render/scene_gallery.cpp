@@ -93,7 +93,7 @@ void writeFlights(Gallery& gallery) {
     CameraInput seen;
     seen.picture = sample.flight.picture;
     seen.lens = sample.flight.lens;
-    seen.scene = sample.scene;
+    seen.scenes = sample.scenes;
     seen.rectangle = input.rectangle;
     seen.thirds = seen.safeFrames = true;
     for (const int part : {0, 1, 2, 3}) {

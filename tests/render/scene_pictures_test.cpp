@@ -65,7 +65,7 @@ void forEachFrame(const std::string& flight, const std::function<void(Shown)>& l
   input.picture = sample.flight.picture;
   input.lens = sample.flight.lens;
   input.space = sample.flight.space;
-  input.scene = sample.scene;
+  input.scenes = sample.scenes;
   input.surroundings = true;
   input.thirds = input.safeFrames = true;
   input.rectangle = {0, 0, 800, 600};

@@ -102,45 +102,20 @@ TEST(CameraScene, ShowsSceneCubeAndGuides) {
   EXPECT_EQ(elements(), 4u);
   input.safeFrames = true;
   EXPECT_EQ(elements(), 12u);
-  auto geometry = std::make_shared<SceneGeometry>();
-  geometry->positions = {{10, 0, 0}, {11, 0, 0}};
-  geometry->edges = {{0, 1}};
-  geometry->points = {0};
-  input.scene = geometry;
+  SceneGeometry geometry;
+  geometry.positions = {{10, 0, 0}, {11, 0, 0}};
+  geometry.edges = {{0, 1}};
+  geometry.points = {0};
+  input.scenes = {DrawableScene::make(geometry)};
   input.space = {{10, 0, 0}, 2.0};
   EXPECT_EQ(elements(), 14u);
   const DrawList& list = scene.build(input);
-  EXPECT_EQ(list.items[1].geometry->points[1], (GeometryPoint{0.5f, 0, 0, 0}));
+  const DrawItem& edge = list.items[1];
+  const GeometryPoint& end = edge.geometry->points[1];
+  EXPECT_EQ(edge.place.at({end.x, end.y, end.z}), Vec3(0.5, 0, 0));
   input.sceneAsPoints = true;
   EXPECT_EQ(elements(), 14u);
   EXPECT_EQ(list.outer, input.rectangle);
-}
-
-TEST(CameraScene, LargeScenesAreDividedAndLeftOutWhereUnseen) {
-  auto geometry = std::make_shared<SceneGeometry>();
-  for (std::uint32_t i = 0; i < 100000; ++i) {
-    geometry->positions.emplace_back(i % 1000 * 1e-3, i / 1000 * 1e-2, 1.0);
-    if (i > 0) geometry->edges.push_back({i - 1, i});
-  }
-  CameraInput input;
-  input.rectangle = {0, 0, 800, 600};
-  input.scene = geometry;  // before the camera, which looks along +z
-  input.camera.viewReferencePoint = {0, 0, -9};
-  CameraScene scene;
-  const auto count = [&] {
-    std::size_t elements = 0;
-    for (const DrawItem& item : scene.build(input).items) {
-      EXPECT_LE(item.geometry->points.size(), 65536u);
-      elements += item.geometry->elements();
-    }
-    return elements;
-  };
-  EXPECT_EQ(count(), 99999u);
-  input.camera.viewPlaneNormal = {0, 0, -1};
-  EXPECT_EQ(count(), 0u);
-  input.camera.viewPlaneNormal = {0, 0, 1};
-  input.sceneAsPoints = true;
-  EXPECT_EQ(count(), 100000u);
 }
 
 }  // namespace

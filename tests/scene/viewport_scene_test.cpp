@@ -162,10 +162,10 @@ TEST(ViewportScene, NamedViewsShowTheFrontSolid) {
 
 TEST(ViewportScene, TurningKeepsTheGeometry) {
   ViewportInput input = inputOf(sixKeys());
-  auto geometry = std::make_shared<SceneGeometry>();
-  geometry->positions = {{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}};
-  geometry->edges = {{0, 1}, {1, 2}};
-  input.scene = geometry;
+  SceneGeometry geometry;
+  geometry.positions = {{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}};
+  geometry.edges = {{0, 1}, {1, 2}};
+  input.scenes = {DrawableScene::make(geometry)};
   ViewportScene scene;
   const auto big = [&] {
     std::set<const Geometry*> result;

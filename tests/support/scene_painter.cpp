@@ -46,20 +46,19 @@ Sample sample(const std::string& name) {
   const std::filesystem::path folder = VIDES_SOURCE_DIR "/assets/flights";
   auto flight = readVidFile((folder / (name + ".vid")).string());
   if (!flight) throw std::runtime_error(name + ".vid can't be read");
-  SceneGeometry scene;
+  std::vector<SharedDrawable> scenes;
   for (const SceneFile& file : flight->scene) {
     auto read = readSceneFile(sceneFilePath(folder, file.file));
-    if (!read) throw std::runtime_error(problemLine(file.file, read.error()));
-    appendScene(scene, *read);
+    if (!read) throw std::runtime_error(file.file + " can't be read");
+    scenes.push_back(DrawableScene::make(*read));
   }
-  finishScene(scene);
-  return {std::move(*flight), std::make_shared<const SceneGeometry>(std::move(scene))};
+  return {std::move(*flight), std::move(scenes)};
 }
 
 ViewportInput viewportInput(const Sample& sample) {
   ViewportInput input;
   input.evaluation = Evaluation(sample.flight);
-  input.scene = sample.scene;
+  input.scenes = sample.scenes;
   input.rectangle = {0, 0, 800, 600};
   input.state.current = {2, 0};
   input.state.selected = {2};

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "host/open_host.hpp"
 #include "render/picture.hpp"
@@ -33,7 +34,7 @@ class ScenePainter {
 // A flight of assets/flights with its scene; aborts where it can't be read.
 struct Sample {
   Flight flight;
-  SharedScene scene;
+  std::vector<SharedDrawable> scenes;
 };
 Sample sample(const std::string& name);
 

@@ -48,6 +48,10 @@ std::map<std::string, Widget> allWidgets(Player& player) {
     add(std::string("question/") + answer,
         player.editor().words(Text(std::string("answer.") + answer)), WidgetKind::kButton);
   }
+  for (const char* id : {"view/reading", "view/stop_reading"}) {
+    const bool text = std::string_view(id) == "view/reading";
+    add(id, player.editor().label(id), text ? WidgetKind::kText : WidgetKind::kButton);
+  }
   return all;
 }
 
