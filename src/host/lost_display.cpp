@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <signal.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 // Xlib's and libwayland's, by their names in the libraries that GLFW has loaded: one of them isn't
 // there, and the program needs neither headers nor libraries. A display is only handed on.
 using DisplayOf = void* (*)();
-using WaylandError = int (*)(void*);
+using WaylandCall = int (*)(void*);
 using SetErrorHandler = int (*(*)(int (*)(void*)))(void*);
 using SetExitHandler = void (*)(void*, void (*)(void*, void*), void*);
 
@@ -28,7 +29,8 @@ Function loaded(const char* name) {
 LostDisplay::LostDisplay(std::function<void()> last) : last_(std::move(last)) {
   if (const auto waylandOf = loaded<DisplayOf>("glfwGetWaylandDisplay")) {
     wayland_ = waylandOf();
-    waylandError_ = loaded<WaylandError>("wl_display_get_error");
+    waylandError_ = loaded<WaylandCall>("wl_display_get_error");
+    waylandFlush_ = loaded<WaylandCall>("wl_display_flush");
   }
   const auto displayOf = loaded<DisplayOf>("glfwGetX11Display");
   const auto setError = loaded<SetErrorHandler>("XSetIOErrorHandler");
@@ -51,8 +53,13 @@ LostDisplay::~LostDisplay() {
   loaded<SetExitHandler>("XSetIOErrorExitHandler")(display_, nullptr, nullptr);
 }
 
+// An error that was read is told by the connection itself. Where writing failed before, GLFW reads
+// no more, and the error is never seen: but writing goes on failing.
 void LostDisplay::check() {
-  if (wayland_ != nullptr && waylandError_ != nullptr && waylandError_(wayland_) != 0) end();
+  if (wayland_ == nullptr || waylandError_ == nullptr || waylandFlush_ == nullptr) return;
+  const bool lost =
+      waylandError_(wayland_) != 0 || (waylandFlush_(wayland_) < 0 && errno != EAGAIN);
+  if (lost) end();
 }
 
 void LostDisplay::end() {

@@ -34,6 +34,7 @@ class LostDisplay {
   void* display_ = nullptr;  // Xlib's
   void* wayland_ = nullptr;  // libwayland-client's
   int (*waylandError_)(void*) = nullptr;
+  int (*waylandFlush_)(void*) = nullptr;
 };
 
 }  // namespace vides

@@ -10,13 +10,20 @@
 
 namespace {
 int display = 0;       // its address counts
-int displayError = 0;  // of the connection
+int displayError = 0;  // of the connection, once it is read
+int flushError = 0;    // of writing
 }  // namespace
 
 extern "C" void* glfwGetWaylandDisplay();
 extern "C" void* glfwGetWaylandDisplay() { return &display; }
 extern "C" int wl_display_get_error(void* asked);
 extern "C" int wl_display_get_error(void* asked) { return asked == &display ? displayError : 0; }
+extern "C" int wl_display_flush(void* asked);
+extern "C" int wl_display_flush(void* asked) {
+  if (asked != &display || flushError == 0) return 0;
+  errno = flushError;
+  return -1;
+}
 
 namespace vides {
 namespace {
@@ -26,17 +33,21 @@ TEST(LostDisplay, NothingHappensWhileTheCompositorIsThere) {
   bool called = false;
   LostDisplay watch([&] { called = true; });
   watch.check();
+  flushError = EAGAIN;  // it is only busy
+  watch.check();
   EXPECT_FALSE(called);
+  flushError = 0;
 }
 
 TEST(LostDisplayDeathTest, ALostCompositorEndsTheProgramAfterTheLastWord) {
-  const auto lose = [] {
+  const auto lose = [](int& error) {
     LostDisplay watch([] { std::fputs("kept\n", stderr); });
-    displayError = EPIPE;
+    error = EPIPE;
     watch.check();
     std::fputs("still there\n", stderr);
   };
-  EXPECT_EXIT(lose(), testing::ExitedWithCode(1), "^kept\n$");
+  EXPECT_EXIT(lose(displayError), testing::ExitedWithCode(1), "^kept\n$");
+  EXPECT_EXIT(lose(flushError), testing::ExitedWithCode(1), "^kept\n$");
 }
 
 }  // namespace
