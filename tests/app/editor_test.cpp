@@ -14,6 +14,7 @@
 #include "io/vid_writer.hpp"
 #include "panels/ui.hpp"
 #include "support/files.hpp"
+#include "support/offscreen.hpp"
 #include "support/picture_check.hpp"
 #include "support/process.hpp"
 
@@ -65,9 +66,6 @@ TEST(Editor, LooksAsItDid) {
   EXPECT_TRUE(test::equalsBaseline(two.player->picture().value(), "window_1920x1200_scale_2"));
 }
 
-// The driver that it isn't drawn by on every machine.
-bool hasEgl() { return openOffscreen(OffscreenKind::kEgl, {.size = {16, 16}}).has_value(); }
-
 constexpr PictureTolerance kThroughEgl{.share = kEglShare};
 
 struct WholeWindow {
@@ -79,7 +77,7 @@ constexpr WholeWindow kWindows[] = {{{1280, 800}, 1.0, "window_1280x800"},
                                     {{1920, 1200}, 2.0, "window_1920x1200_scale_2"}};
 
 TEST(Editor, LooksTheSameThroughEgl) {
-  if (!hasEgl()) GTEST_SKIP() << "no EGL here";
+  if (!test::hasEgl()) GTEST_SKIP() << "no EGL here";
   for (const WholeWindow& window : kWindows) {
     Stage one = stage(window.size, window.scale, OffscreenKind::kEgl);
     openPyramid(*one.player);
@@ -88,7 +86,7 @@ TEST(Editor, LooksTheSameThroughEgl) {
 }
 
 TEST(Screenshot, OfTheWholeWindowIsTheSameThroughEgl) {
-  if (!hasEgl()) GTEST_SKIP() << "no EGL here";
+  if (!test::hasEgl()) GTEST_SKIP() << "no EGL here";
   const test::TemporaryFolder folder;
   const auto taken = [&](const char* offscreen, const char* size, const char* scale) {
     const std::string file = (folder / "window.png").string();
@@ -137,7 +135,7 @@ TEST(Editor, TheBaselinesSeeTheCameraMovedByOnePixel) {
 }
 
 TEST(Editor, TheBaselinesSeeTheCameraMovedByOnePixelThroughEgl) {
-  if (!hasEgl()) GTEST_SKIP() << "no EGL here";
+  if (!test::hasEgl()) GTEST_SKIP() << "no EGL here";
   for (const WholeWindow& window : kWindows) {
     expectSeesOnePixel(window, OffscreenKind::kEgl, kThroughEgl);
   }

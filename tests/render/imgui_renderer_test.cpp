@@ -307,8 +307,14 @@ TEST(ImguiRenderer, InterfaceAtScaleTwoEqualsItsBaseline) {
 }
 
 TEST(ImguiRenderer, InterfaceThroughEgl) {
-  EXPECT_TRUE(test::equalsBaseline(drawInterface(10, OffscreenKind::kEgl), "imgui_window",
-                                   {.share = kEglShare}));
+  if (!test::hasEgl()) GTEST_SKIP() << "no EGL here";
+  constexpr PictureTolerance kTolerance{.share = kEglShare};
+  const Picture picture = drawInterface(10, OffscreenKind::kEgl);
+  EXPECT_TRUE(test::equalsBaseline(picture, "imgui_window", kTolerance));
+  EXPECT_FALSE(comparePictures(drawInterface(11, OffscreenKind::kEgl), picture, kTolerance).equal)
+      << "one pixel aside";
+  EXPECT_TRUE(test::equalsBaseline(drawInterface(10, OffscreenKind::kEgl, 2.0f),
+                                   "imgui_window_scale_2", kTolerance));
 }
 
 TEST(ImguiRenderer, FontsMayChange) {

@@ -24,4 +24,9 @@ std::unique_ptr<OffscreenHost> openForTest(PixelSize size, OffscreenKind kind, i
   return std::move(*host);
 }
 
+bool hasEgl() {
+  leaksAreTold = false;
+  return openOffscreen(OffscreenKind::kEgl, {.size = {16, 16}}).has_value();
+}
+
 }  // namespace vides::test

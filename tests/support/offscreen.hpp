@@ -14,4 +14,7 @@ std::unique_ptr<OffscreenHost> openForTest(PixelSize size,
                                            OffscreenKind kind = OffscreenKind::kOsmesa,
                                            int samples = 0);
 
+// Whether this machine has what EGL needs: tests through it are skipped where it hasn't.
+bool hasEgl();
+
 }  // namespace vides::test
