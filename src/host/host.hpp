@@ -67,6 +67,7 @@ class Host {
   // middle of some function of this host, on the thread that uses it, and must use neither the host
   // nor OpenGL any more. When it returns the process ends with status 1: no library that draws
   // there survives. What is drawn into memory has no display to lose.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): those that can lose one keep it
   virtual void onLost(std::function<void()> /*last*/) {}
 };
 

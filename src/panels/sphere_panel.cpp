@@ -103,6 +103,25 @@ void drawMarks(Ui& ui, ImDrawList& list, const SphereView& view, const Session& 
   }
 }
 
+// The orientation in front that is seen nearest to a place, if it is nearer than `reach` pixels.
+std::optional<OrientationPlace> orientationAt(const SphereView& view, const Session& session,
+                                              const ImVec2& place, float reach) {
+  std::optional<OrientationPlace> nearest;
+  const auto look = [&](const OrientationPlace& candidate) {
+    const Vec3 vpn = session.evaluation().cameraAt(candidate).viewPlaneNormal;
+    const ImVec2 at = view.place(vpn);
+    const float distance = std::hypot(at.x - place.x, at.y - place.y);
+    if (!view.front(vpn) || distance >= reach) return;
+    reach = distance;
+    nearest = candidate;
+  };
+  const KeyList& keys = session.flight().keys;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    for (std::size_t o = 0; o < keys[k].orientations.size(); ++o) look({k, o});
+  }
+  return nearest;
+}
+
 }  // namespace
 
 void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs,
@@ -135,21 +154,7 @@ void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& gr
     list.AddCircleFilled(view.place(now), 3.0f * ui.scale(), ink);
     if (!state.released) return;
     // A click makes the orientation under the pointer current.
-    const ImVec2 pointer = ImGui::GetIO().MousePos;
-    std::optional<OrientationPlace> nearest;
-    float best = ui.px(8);
-    const KeyList& keys = session.flight().keys;
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-      for (std::size_t o = 0; o < keys[k].orientations.size(); ++o) {
-        const Vec3 vpn = session.evaluation().cameraAt({k, o}).viewPlaneNormal;
-        const ImVec2 at = view.place(vpn);
-        const float distance = std::hypot(at.x - pointer.x, at.y - pointer.y);
-        if (view.front(vpn) && distance < best) {
-          best = distance;
-          nearest = OrientationPlace{k, o};
-        }
-      }
-    }
+    const auto nearest = orientationAt(view, session, ImGui::GetIO().MousePos, ui.px(8));
     if (nearest) actions.run(Command("make-current", nearest->key, nearest->orientation));
   });
 }
