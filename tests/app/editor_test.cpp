@@ -2,6 +2,7 @@
 // The whole editor without a screen: sizes and scales, texts in their boxes, what it looks like.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -430,6 +431,32 @@ TEST(Editor, GoesOnWhileASceneIsRead) {
   wait();
   EXPECT_EQ(session.history().steps(), 2u);
   EXPECT_EQ(session.scenes().size(), 1u);
+}
+
+// In bytes, of this process.
+std::size_t residentMemory() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t pages = 0;
+  file >> pages >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+// A software driver puts drawing aside until it is made to draw.
+TEST(Editor, DisplayFramesLeaveNothingBehind) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer keeps what is freed";
+#endif
+  Stage one = stage({1280, 800}, 1.0);
+  const auto draw = [&](int frames) {
+    for (int i = 0; i < frames; ++i) {
+      ASSERT_TRUE(one.player->perform(Command("set-zoom", 1.0 + i % 90)));
+      one.player->frame();
+    }
+  };
+  draw(10);
+  const std::size_t before = residentMemory();
+  draw(40);
+  EXPECT_LT(residentMemory(), before + (std::size_t{48} << 20));  // the pictures alone: 160 MB
 }
 
 // So many keys on a spiral in the cube.
