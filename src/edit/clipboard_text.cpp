@@ -35,7 +35,7 @@ std::string clipboardText(const Flight& flight, const KeySelection& keys) {
   list.reserve(std::max<std::size_t>(keys.size(), 2));
   for (const std::size_t k : keys.keys()) list.emplace_back(flight.keys[k]);
   if (list.size() == 1) list.push_back(list.front());
-  copy.keys = KeyList(std::move(list));
+  copy.keys = KeyList(list);
   copy.scene.clear();
   copy.extras.flight = std::make_shared<const ExtraMembers>(
       ExtraMembers{{std::string(kCountMember), std::to_string(keys.size())}});

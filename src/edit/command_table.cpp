@@ -115,11 +115,7 @@ void addKeyCommands(Table& t) {
           setPresetShapeEdit);
 }
 
-std::vector<Argument> speedArguments() {
-  std::vector<Argument> arguments;
-  for (int j = 0; j < kSpeedValues; ++j) arguments.push_back(number("V"));
-  return arguments;
-}
+std::vector<Argument> speedArguments() { return std::vector<Argument>(kSpeedValues, number("V")); }
 
 std::vector<std::string> easeChoices() { return {easeNames().begin(), easeNames().end()}; }
 
@@ -233,6 +229,7 @@ std::vector<std::string> elementChoices() {
 
 void addFrameCommands(Table& t) {
   std::vector<std::string> formats;
+  formats.reserve(std::size(kFrameFormats));
   for (const FrameFormat format : kFrameFormats) formats.emplace_back(name(format));
   addAct(t, "frames-format", {choice("FORMAT", formats)}, Acts::framesFormat);
   addAct(t, "frames-space", {choice("SPACE", {"cube", "world"})}, Acts::framesSpace);
@@ -295,18 +292,18 @@ Table makeTable() {
 }  // namespace
 
 const std::vector<CommandSpecification>& commandTable() {
-  static const Table table = makeTable();
-  return table;
+  static const Table kTable = makeTable();
+  return kTable;
 }
 
 const CommandSpecification* findCommand(std::string_view name) {
-  static const auto byName = [] {
+  static const auto kByName = [] {
     std::unordered_map<std::string_view, const CommandSpecification*> map;
     for (const CommandSpecification& command : commandTable()) map.emplace(command.name, &command);
     return map;
   }();
-  const auto found = byName.find(name);
-  return found == byName.end() ? nullptr : found->second;
+  const auto found = kByName.find(name);
+  return found == kByName.end() ? nullptr : found->second;
 }
 
 std::string usage(const CommandSpecification& command) {

@@ -43,12 +43,12 @@ Theme themeOf(const Display& display) {
 }
 
 const std::vector<std::string_view>& switchNames() {
-  static const std::vector<std::string_view> names = [] {
+  static const std::vector<std::string_view> kNames = [] {
     std::vector<std::string_view> list;
     for (const Switch& s : kSwitches) list.push_back(s.name);
     return list;
   }();
-  return names;
+  return kNames;
 }
 
 bool* switchOf(Display& display, std::string_view name) {

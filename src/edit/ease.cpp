@@ -35,12 +35,12 @@ constexpr EasePreset kPresetTable[] = {
 }  // namespace
 
 const std::vector<std::string_view>& easeNames() {
-  static const std::vector<std::string_view> names = [] {
+  static const std::vector<std::string_view> kNames = [] {
     std::vector<std::string_view> list;
     for (const EasePreset& preset : kPresetTable) list.push_back(preset.name);
     return list;
   }();
-  return names;
+  return kNames;
 }
 
 std::optional<SpeedValues> easeValues(std::string_view name) {

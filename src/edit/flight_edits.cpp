@@ -146,7 +146,7 @@ tl::expected<Flight, Text> inSpace(const Flight& flight, const Space& space) {
     keys.emplace_back(std::move(key));
   });
   if (outside > 0) return tl::unexpected(Text("refusal.space-too-small", {outside}));
-  result.keys = KeyList(std::move(keys));
+  result.keys = KeyList(keys);
   return result;
 }
 

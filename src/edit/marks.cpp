@@ -24,8 +24,8 @@ bool KeySelection::contains(std::size_t key) const {
 }
 
 const std::vector<std::size_t>& KeySelection::keys() const {
-  static const std::vector<std::size_t> none;
-  return keys_ ? *keys_ : none;
+  static const std::vector<std::size_t> kNone;
+  return keys_ ? *keys_ : kNone;
 }
 
 KeySelection KeySelection::with(std::size_t key) const {
