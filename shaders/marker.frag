@@ -4,6 +4,7 @@
 flat in vec4 ends;
 flat in vec4 cuts;
 in vec2 run;
+flat in float strength;
 
 uniform vec2 target;
 uniform int shape;  // MarkerShape
@@ -47,5 +48,5 @@ void main() {
   float alpha = lineAlpha + area * (1.0 - lineAlpha);
   if (alpha <= 0.0 || max(line, area) < least) discard;
   vec3 mixed = (colour.rgb * lineAlpha + fill.rgb * area * (1.0 - lineAlpha)) / alpha;
-  outColour = vec4(mix(mixed, ground, run.y * run.x), alpha);
+  outColour = vec4(mix(mixed, ground, run.y * run.x), alpha * strength);
 }

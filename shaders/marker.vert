@@ -23,10 +23,12 @@ const int kCorners[6] = int[6](0, 1, 2, 2, 1, 3);
 flat out vec4 ends;  // the middle; radius; half of the outline's width
 flat out vec4 cuts;  // the colour inside
 out vec2 run;        // the share of the way to the far side; how much fades there
+flat out float strength;  // what of the opacity is left
 
 void main() {
   ends = cuts = vec4(0.0);
   run = vec2(0.0);
+  strength = 0.0;
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   vec4 place = texelFetch(points, first + gl_VertexID / 6);
   int which = kCorners[gl_VertexID % 6];
@@ -34,7 +36,11 @@ void main() {
   if (clip.w <= nearest) return;
   vec2 middle = rectangle.xy + offset +
                 rectangle.zw * (vec2(0.5) + vec2(0.5, -0.5) * clip.xy / clip.w);
-  ends = vec4(middle, radius, halfWidth);
+  // A smaller one has a thinner line, but not as much thinner; before it is gone it fades.
+  float share = 1.0 - place.w;
+  if (share <= 0.0) return;
+  ends = vec4(middle, radius * share, halfWidth * (0.4 + 0.6 * share));
+  strength = clamp(4.0 * share, 0.0, 1.0);
   cuts = fill;
   run = vec2(clamp(dot(depthPlane, vec4(place.xyz, 1.0)), 0.0, 1.0), fade);
   vec2 side = vec2((which & 1) == 0 ? -1.0 : 1.0, which < 2 ? -1.0 : 1.0);

@@ -24,6 +24,7 @@ void addLine(const ViewportContext& context, GeometrySlot& slot, const Vec3& fro
   DrawItem item;
   item.geometry = slot.keep(Primitive::kSegments, {geometryPoint(from), geometryPoint(to)});
   item.style = LineStyle{context.colour(role), context.handlePixels(2.4)};
+  item.depth = context.depthOfCurrent();
   item.lift = 3;
   context.list.items.push_back(item);
 }
@@ -47,7 +48,7 @@ void addLabel(const ViewportContext& context, const std::string& text, const Vec
   const Vec2 size{static_cast<double>(text.size()) * context.input.text.letterWidth,
                   context.input.text.lineHeight};
   const auto pixel = context.labels.place(anchor, 13.0 * context.handleScale(), size, true);
-  if (pixel) context.list.texts.push_back({text, *pixel, context.colour(role), false});
+  if (pixel) context.addNeededText({text, *pixel, context.colour(role), false}, size);
 }
 
 // Where the way from `from`, inside, along `way` leaves the rectangle.
@@ -179,6 +180,7 @@ void AimPart::addCircle(const ViewportContext& context, const Camera& camera, co
   const double dashes = std::max(1.0, std::round(along / pattern));
   const auto dash = static_cast<float>(std::max(along, 1.0) / dashes / 2.0);
   item.style = LineStyle{context.colour(ColourRole::kUp), context.pixels(1.2), dash, dash};
+  item.depth = context.depthOfCurrent();
   item.fade = 0.3f;
   context.list.items.push_back(item);
 }

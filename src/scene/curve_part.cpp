@@ -25,6 +25,7 @@ std::optional<std::size_t> currentPiece(const ViewportInput& input) {
 
 void CurvePart::add(const ViewportContext& context) {
   flattener_.update(context.input.evaluation, context.view());
+  current_.reset();
   if (!context.input.shown.curve) return;
   const auto current = currentPiece(context.input);
   const double reach = 2.0 * context.input.sizes.curve * context.scale();
@@ -54,9 +55,16 @@ void CurvePart::add(const ViewportContext& context) {
     item.lift = 2;
     item.fade = 0.0f;
     addRange(chunk.begins[piece], chunk.begins[piece + 1]);
+    if (item.count > 0) current_ = item;
     item.fade = kCurveFade;
   }
   block(context);
+}
+
+void CurvePart::addCurrentOnTop(const ViewportContext& context) const {
+  if (!current_) return;
+  context.list.items.push_back(*current_);
+  context.list.items.back().depth = DrawDepth::kOnTop;
 }
 
 void CurvePart::block(const ViewportContext& context) const {

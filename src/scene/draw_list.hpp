@@ -24,7 +24,8 @@
 namespace vides {
 
 // `along` belongs to polylines: below 0 the line ends here, else it goes on to the next point, and
-// the pattern of dashes has come so many pixels.
+// the pattern of dashes has come so many pixels. Of a marker it is the share by which it is smaller
+// than its style says: 0 whole, 1 nothing.
 struct GeometryPoint {
   float x = 0.0f, y = 0.0f, z = 0.0f;
   float along = 0.0f;

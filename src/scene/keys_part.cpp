@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Crosses of the keys, marks of the selected ones, their numbers, thinned where they are dense.
+// Crosses of the keys, marks of the selected ones, their numbers, smaller and fewer where they
+// crowd.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,36 +12,10 @@ namespace {
 
 constexpr double kCrossRadius = 7.0, kCurrentRadius = 8.0, kSelectedRadius = 9.5;
 constexpr double kHoverStep = 1.5;
-// Crosses nearer to each other than this cannot be told apart.
-constexpr double kDenseCell = 5.0;
+constexpr double kPlateOpacity = 0.72;
 constexpr std::size_t kMostNumbers = 250;
 // So many keys that changed are looked up one by one.
 constexpr std::size_t kFewChanged = 64;
-
-// A map of what a cross has already been drawn in.
-class Density {
- public:
-  Density(const PixelRectangle& area, double cell) : area_(area), cell_(cell) {
-    columns_ = static_cast<std::size_t>(area.width / cell) + 3;
-    const std::size_t rows = static_cast<std::size_t>(area.height / cell) + 3;
-    taken_.assign(columns_ * rows, false);
-  }
-  // True for the first in a cell. The pixel lies in the area, or less than a cell outside.
-  bool take(const Vec2& pixel) {
-    const auto x = static_cast<std::size_t>((pixel.x - area_.x) / cell_ + 1.0);
-    const auto y = static_cast<std::size_t>((pixel.y - area_.y) / cell_ + 1.0);
-    const std::size_t at = y * columns_ + x;
-    if (at >= taken_.size() || taken_[at]) return false;
-    taken_[at] = true;
-    return true;
-  }
-
- private:
-  PixelRectangle area_;
-  double cell_;
-  std::size_t columns_ = 0;
-  std::vector<bool> taken_;
-};
 
 // The current key alone needs no mark: it has its colour.
 bool showsSelection(const ViewportContext& context) {
@@ -55,6 +30,25 @@ bool ViewportContext::sees(const Vec2& pixel, double margin) const {
   const PixelRectangle& r = view().pixels();
   return pixel.x >= r.x - margin && pixel.y >= r.y - margin && pixel.x <= r.x + r.width + margin &&
          pixel.y <= r.y + r.height + margin;
+}
+
+void ViewportContext::addNeededText(DrawText text, const Vec2& size) const {
+  if (crowded) {
+    const PixelRectangle& r = view().pixels();
+    const double down = std::clamp((text.pixel.y + 0.5 * size.y - r.y) / r.height, 0.0, 1.0);
+    const Vec2 edge{3.0 * scale(), 1.0 * scale()};
+    const Vec2 low = text.pixel - edge, high = text.pixel + size + edge;
+    DrawItem item;
+    item.geometry = std::make_shared<const Geometry>(
+        Geometry{Primitive::kTriangles,
+                 {geometryPoint(low), geometryPoint(Vec2{high.x, low.y}), geometryPoint(high),
+                  geometryPoint(low), geometryPoint(high), geometryPoint(Vec2{low.x, high.y})}});
+    item.style = FillStyle{faded(mix(list.groundTop, list.groundBottom, down), kPlateOpacity)};
+    item.space = DrawSpace::kPixels;
+    item.depth = DrawDepth::kOnTop;
+    list.items.push_back(item);
+  }
+  list.texts.push_back(std::move(text));
 }
 
 std::optional<KeysPart::Place> KeysPart::placeOf(const ViewportContext& context, std::size_t index,
@@ -95,6 +89,7 @@ bool KeysPart::findChanged(const ViewportContext& context) {
 }
 
 void KeysPart::find(const ViewportContext& context) {
+  crowded_ = false;
   if (!context.input.shown.keys) {
     seen_.clear();
     keys_ = {};
@@ -103,6 +98,7 @@ void KeysPart::find(const ViewportContext& context) {
   if (!findChanged(context)) findAll(context);
   keys_ = context.flight().keys;
   view_ = context.view();
+  giveRoom(context);
   const Vec2 half{5.0 * context.handleScale()};
   for (const Place& place : seen_) {
     context.list.handles.push_back(
@@ -111,14 +107,40 @@ void KeysPart::find(const ViewportContext& context) {
   }
 }
 
+void KeysPart::giveRoom(const ViewportContext& context) {
+  const double cell = kCrowdingRadii * kCrossRadius * context.handleScale();
+  crowding_.begin(context.view().pixels(), cell);
+  for (const Place& place : seen_) crowding_.add(place.pixel);
+  for (Place& place : seen_) {
+    const double share = crossShare(crowding_.around(place.pixel), place.key);
+    place.point.along = static_cast<float>(1.0 - share);
+    if (share < 1.0) crowded_ = true;
+  }
+  if (!crowded_ || !showsSelection(context)) return;
+  // Selected keys have room as long as they do not crowd each other.
+  crowdingOfSelected_.begin(context.view().pixels(), cell);
+  const std::vector<std::size_t>& selected = context.input.state.selected;
+  const auto forEachSelected = [&](const auto& use) {
+    auto at = seen_.begin();
+    for (std::size_t i = 0; i < selected.size(); ++i) {
+      at = std::ranges::lower_bound(at, seen_.end(), selected[i], {}, &Place::key);
+      if (at == seen_.end()) return;
+      if (at->key == selected[i]) use(*at, i);
+    }
+  };
+  forEachSelected([&](Place& place, std::size_t) { crowdingOfSelected_.add(place.pixel); });
+  forEachSelected([&](Place& place, std::size_t number) {
+    const double share = crossShare(crowdingOfSelected_.around(place.pixel), number);
+    place.point.along = std::min(place.point.along, static_cast<float>(1.0 - share));
+  });
+}
+
 void KeysPart::addCrosses(const ViewportContext& context) {
   if (!context.input.shown.keys) return;
   const std::size_t current = context.input.state.current.key;
-  Density density(context.view().pixels(), kDenseCell * context.scale());
   std::vector<GeometryPoint> points;
   for (const Place& place : seen_) {
-    if (place.key == current || !density.take(place.pixel)) continue;
-    points.push_back(place.point);
+    if (place.key != current && place.point.along < 1.0f) points.push_back(place.point);
   }
   DrawItem item;
   item.depth = DrawDepth::kOnTop;
@@ -126,43 +148,54 @@ void KeysPart::addCrosses(const ViewportContext& context) {
   item.style = MarkerStyle{MarkerShape::kCross, context.colour(ColourRole::kKey), kNoColour,
                            context.handlePixels(kCrossRadius), context.handlePixels(1.7)};
   context.list.items.push_back(item);
-  addMarks(context);
 }
-
-void KeysPart::addMarks(const ViewportContext& context) {
+void KeysPart::addSelected(const ViewportContext& context) {
+  const ViewportState& state = context.input.state;
   const auto& keys = context.flight().keys;
-  const auto& state = context.input.state;
-  DrawItem item;
-  item.depth = DrawDepth::kOnTop;
-
   std::vector<GeometryPoint> points;
   if (showsSelection(context)) {
+    auto at = seen_.begin();
     for (const std::size_t key : state.selected) {
-      if (key < keys.size()) points.push_back(geometryPoint(keys[key].position));
+      if (key >= keys.size()) break;
+      at = std::ranges::lower_bound(at, seen_.end(), key, {}, &Place::key);
+      const bool seen = at != seen_.end() && at->key == key;
+      points.push_back(seen ? at->point : geometryPoint(keys[key].position));
+      if (key == state.current.key) points.back().along = 0.0f;
     }
+    std::erase_if(points, [](const GeometryPoint& point) { return point.along >= 1.0f; });
   }
+  DrawItem item;
+  item.depth = DrawDepth::kOnTop;
   item.geometry = selected_.keep(Primitive::kMarkers, std::move(points));
   item.style =
       MarkerStyle{MarkerShape::kSquare, context.colour(ColourRole::kKeySelected), kNoColour,
                   context.handlePixels(kSelectedRadius), context.handlePixels(1.2)};
   context.list.items.push_back(item);
+}
 
-  const auto addCross = [&](GeometrySlot& slot, std::size_t key, ColourRole role, double radius,
-                            double width) {
+void KeysPart::addMarks(const ViewportContext& context) {
+  if (!context.input.shown.keys) return;
+  addSelected(context);
+  const auto& keys = context.flight().keys;
+  const auto& state = context.input.state;
+  const auto addCross = [&](GeometrySlot& slot, std::size_t key, ColourRole role, double radius) {
+    DrawItem item;
+    item.depth = DrawDepth::kOnTop;
     item.geometry = slot.keep(Primitive::kMarkers, {geometryPoint(keys[key].position)});
     item.style = MarkerStyle{MarkerShape::kCross, context.colour(role), kNoColour,
-                             context.handlePixels(radius), context.handlePixels(width)};
+                             context.handlePixels(radius), context.handlePixels(2.2)};
     context.list.items.push_back(item);
   };
   const bool currentHovered = context.hovered({HandleKind::kKey, state.current.key, 0, Axis::X});
   addCross(current_, state.current.key, ColourRole::kAccent,
-           kCurrentRadius + (currentHovered ? kHoverStep : 0.0), 2.2);
+           kCurrentRadius + (currentHovered ? kHoverStep : 0.0));
   if (!state.hovered || state.hovered->kind != HandleKind::kKey || currentHovered) return;
   if (state.hovered->key >= keys.size()) return;
-  addCross(hovered_, state.hovered->key, ColourRole::kKey, kCrossRadius + kHoverStep, 2.2);
+  addCross(hovered_, state.hovered->key, ColourRole::kKey, kCrossRadius + kHoverStep);
 }
 
-void KeysPart::addNumber(const ViewportContext& context, const Place& place, bool current) const {
+bool KeysPart::addNumber(const ViewportContext& context, const Place& place, bool needed) const {
+  const bool current = place.key == context.input.state.current.key;
   const std::string text = std::to_string(place.key + 1);
   const Vec2 size{static_cast<double>(text.size()) * context.input.text.digitWidth,
                   context.input.text.lineHeight};
@@ -171,10 +204,16 @@ void KeysPart::addNumber(const ViewportContext& context, const Place& place, boo
   // The current key's plane squares need room.
   const double free = current && context.input.shown.planeSquares ? 20.0 : marked ? 15.0 : 9.0;
   const double gap = free * context.handleScale();
-  const auto pixel = context.labels.place(place.pixel, gap, size, current);
-  if (!pixel) return;
+  const auto pixel = context.labels.place(place.pixel, gap, size, needed);
+  if (!pixel) return false;
   const ColourRole role = current ? ColourRole::kAccent : ColourRole::kKey;
-  context.list.texts.push_back({text, *pixel, context.colour(role), current});
+  const DrawText number{text, *pixel, context.colour(role), current};
+  if (needed) {
+    context.addNeededText(number, size);
+  } else {
+    context.list.texts.push_back(number);
+  }
+  return true;
 }
 
 void KeysPart::addNumbers(const ViewportContext& context) const {
@@ -182,6 +221,11 @@ void KeysPart::addNumbers(const ViewportContext& context) const {
   const std::size_t current = context.input.state.current.key;
   const auto own = std::ranges::lower_bound(seen_, current, {}, &Place::key);
   if (own != seen_.end() && own->key == current) addNumber(context, *own, true);
+  // Which one is under the pointer is always told: here as long as it is not.
+  std::size_t untold = current;
+  if (const auto& id = context.input.state.hovered; id && id->kind == HandleKind::kKey) {
+    untold = id->key;
+  }
   // Of many every 10th, 100th, … and the first.
   std::size_t step = 1;
   while (seen_.size() / step > kMostNumbers) step *= 10;
@@ -189,8 +233,12 @@ void KeysPart::addNumbers(const ViewportContext& context) const {
   for (const Place& place : seen_) {
     while (round < place.key + 1) round += step;
     const bool counts = place.key == 0 || place.key + 1 == round;
-    if (place.key != current && counts) addNumber(context, place, false);
+    if (place.key == current || !counts || !addNumber(context, place, false)) continue;
+    if (place.key == untold) untold = current;
   }
+  if (untold == current) return;
+  const auto under = std::ranges::lower_bound(seen_, untold, {}, &Place::key);
+  if (under != seen_.end() && under->key == untold) addNumber(context, *under, true);
 }
 
 }  // namespace vides

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/crowding.hpp"
 #include "scene/cube_part.hpp"
 #include "scene/curve_flattener.hpp"
 #include "scene/draw_list.hpp"
@@ -21,6 +22,8 @@ struct ViewportContext {
   const ViewportInput& input;
   DrawList& list;
   LabelPlacer& labels;
+  // Crosses crowd: what belongs to the current key is drawn over them.
+  bool crowded = false;
 
   const ViewProjection& view() const { return list.view; }
   const Flight& flight() const { return input.evaluation.flight(); }
@@ -30,9 +33,12 @@ struct ViewportContext {
   // Of what can be taken hold of: grows with the chosen size of handles.
   double handleScale() const { return scale() * input.sizes.handles / ElementSizes().handles; }
   float handlePixels(double atScale1) const { return static_cast<float>(atScale1 * handleScale()); }
+  DrawDepth depthOfCurrent() const { return crowded ? DrawDepth::kOnTop : DrawDepth::kTested; }
   bool hovered(const HandleId& id) const { return input.state.hovered == id; }
   // Whether a pixel lies in the rectangle, or at most `margin` outside.
   bool sees(const Vec2& pixel, double margin) const;
+  // A text that must be read: where crosses crowd, on a ground of its own.
+  void addNeededText(DrawText text, const Vec2& size) const;
 };
 
 inline ColourRole roleOf(Axis axis) {
@@ -43,11 +49,14 @@ inline ColourRole roleOf(Axis axis) {
 class CurvePart {
  public:
   void add(const ViewportContext& context);
+  // The current section once more, over what has been drawn since.
+  void addCurrentOnTop(const ViewportContext& context) const;
   const CurveFlattener& flattener() const { return flattener_; }
 
  private:
   void block(const ViewportContext& context) const;
   CurveFlattener flattener_;
+  std::optional<DrawItem> current_;  // of the last add()
 };
 
 // The grid on the cube's floor: as fine as the view leaves room for, every fifth line stronger.
@@ -62,30 +71,38 @@ class GridPart {
 // Crosses and their numbers.
 class KeysPart {
  public:
-  // Where the crosses are; crosses, handles and numbers are added in this order, so that labels of
-  // others can be placed between.
+  // Where the crosses are, and their handles; what others draw and label can be added between.
   void find(const ViewportContext& context);
+  // Whether of the crosses found some are drawn smaller, so that they do not bury the curve.
+  bool crowded() const { return crowded_; }
+  // Of all keys but the current one; then the marks of the selected ones, the current key's cross
+  // and the hovered one's.
   void addCrosses(const ViewportContext& context);
+  void addMarks(const ViewportContext& context);
   void addNumbers(const ViewportContext& context) const;
 
  private:
   struct Place {
     std::size_t key;
     Vec2 pixel;
-    GeometryPoint point;
+    GeometryPoint point;  // with the share by which its cross is smaller
   };
   std::optional<Place> placeOf(const ViewportContext& context, std::size_t index,
                                const Key& key) const;
   void findAll(const ViewportContext& context);
   // Whether what was found last holds but for a few keys; these are looked up again.
   bool findChanged(const ViewportContext& context);
-  void addMarks(const ViewportContext& context);
-  void addNumber(const ViewportContext& context, const Place& place, bool current) const;
+  void giveRoom(const ViewportContext& context);
+  void addSelected(const ViewportContext& context);
+  // Whether there was a place for it; for a needed one there always is, if it is seen at all.
+  bool addNumber(const ViewportContext& context, const Place& place, bool needed) const;
 
   std::vector<Place> seen_;  // ascending
   // What they were found for.
   KeyList keys_;
   ViewProjection view_;
+  Crowding crowding_, crowdingOfSelected_;
+  bool crowded_ = false;
   GeometrySlot crosses_, selected_, current_, hovered_;
 };
 

@@ -44,7 +44,7 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
   const PixelRectangle free{r.x + m.left, r.y + m.top, std::max(1.0, r.width - m.left - m.right),
                             std::max(1.0, r.height - m.top - m.bottom)};
   LabelPlacer labels(free, 4.0 * input.contentScale);
-  const ViewportContext context{input, list, labels};
+  ViewportContext context{input, list, labels};
   p.grid.add(context);
   const float lineWidth = context.pixels(input.sizes.lines);
   if (input.shown.cube) p.cube.add(list, input.theme, input.contentScale, lineWidth);
@@ -57,10 +57,16 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
   p.drag.addPlanes(context);
   // Marks block before any label is placed.
   p.keys.find(context);
+  context.crowded = p.keys.crowded();
+  if (context.crowded) {
+    p.keys.addCrosses(context);
+    p.curve.addCurrentOnTop(context);
+  }
   p.drag.addSquares(context);
   p.tangents.add(context);
   p.aim.add(context);
-  p.keys.addCrosses(context);
+  if (!context.crowded) p.keys.addCrosses(context);
+  p.keys.addMarks(context);
   p.keys.addNumbers(context);
   p.drag.addTriad(context);
   return list;

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -590,6 +592,35 @@ TEST(ViewportScene, AnySurroundingsMakeAList) {
   }
 }
 
+// Keys along a screw line around the y axis.
+Flight screw(std::size_t count, double turns) {
+  std::vector<KeyPointer> keys;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count);
+    const double angle = 2.0 * std::numbers::pi * turns * share;
+    Key key;
+    key.position = {0.8 * std::cos(angle), 1.6 * share - 0.8, 0.8 * std::sin(angle)};
+    key.orientations.front().aim = {0, 0, 0};
+    keys.emplace_back(key);
+  }
+  Flight flight;
+  flight.keys = KeyList(std::move(keys));
+  return flight;
+}
+
+// The items of crosses or squares of a colour, and how large each of their signs is drawn.
+std::vector<double> sharesOf(const DrawList& list, MarkerShape shape, const Colour& colour) {
+  std::vector<double> shares;
+  for (const DrawItem& item : list.items) {
+    const auto* style = std::get_if<MarkerStyle>(&item.style);
+    if (style == nullptr || style->shape != shape || style->colour != colour) continue;
+    for (const auto& point : item.geometry->points) {
+      shares.push_back(1.0 - static_cast<double>(point.along));
+    }
+  }
+  return shares;
+}
+
 TEST(ViewportScene, ManyKeysAreThinnedButAllCanBePicked) {
   Random random(6);
   std::vector<KeyPointer> keys;
@@ -605,16 +636,154 @@ TEST(ViewportScene, ManyKeysAreThinnedButAllCanBePicked) {
   ViewportScene scene;
   const DrawList& list = scene.build(input);
   EXPECT_EQ(handlesOf(list, HandleKind::kKey).size(), 20000u);
+  // What they cover, as if they were squares: a small part of what the flight does.
+  double covered = 0.0;
   std::size_t crosses = 0;
-  for (const DrawItem& item : list.items) {
-    const auto* style = std::get_if<MarkerStyle>(&item.style);
-    if (style != nullptr && style->shape == MarkerShape::kCross) {
-      crosses += item.geometry->elements();
+  for (const double share : sharesOf(list, MarkerShape::kCross, input.theme[ColourRole::kKey])) {
+    EXPECT_GT(share, 0.0);
+    covered += 100.0 * share * share;
+    ++crosses;
+  }
+  EXPECT_LT(covered, 0.1 * 350 * 350);
+  EXPECT_GT(crosses, 500u);
+  EXPECT_LT(list.texts.size(), 300u);
+}
+
+TEST(ViewportScene, FewKeysHaveWholeCrosses) {
+  Random random(61);
+  for (int round = 0; round < 40; ++round) {
+    Flight flight = sixKeys();
+    for (std::size_t k = 0; k < 6; ++k) {
+      Key key = flight.keys[k];
+      key.position += 0.1 * random.inCube();
+      flight.keys.set(k, std::move(key));
+    }
+    ViewportInput input = inputOf(flight);
+    ViewportScene scene;
+    const DrawList& list = scene.build(input);
+    const auto shares = sharesOf(list, MarkerShape::kCross, input.theme[ColourRole::kKey]);
+    EXPECT_EQ(shares, std::vector<double>(5, 1.0));
+    // The arrows are hidden by what stands before them, as long as no crosses crowd.
+    for (const DrawItem& item : list.items) {
+      EXPECT_TRUE(item.lift != 3 || item.depth == DrawDepth::kTested);
     }
   }
-  EXPECT_LT(crosses, 800u * 600 / 25);
-  EXPECT_GT(crosses, 2000u);
-  EXPECT_LT(list.texts.size(), 300u);
+}
+
+// Crosses that would touch leave half of the curve free.
+TEST(ViewportScene, CrossesAreNarrowerThanTheyStandApart) {
+  for (const std::size_t count : {300u, 1000u, 4000u}) {
+    ViewportInput input = inputOf(screw(count, 4));
+    input.view.tilt = 35.0;
+    ViewportScene scene;
+    const DrawList& list = scene.build(input);
+    const auto handles = handlesOf(list, HandleKind::kKey);
+    ASSERT_EQ(handles.size(), count);
+    double length = 0.0;
+    for (std::size_t i = 1; i < count; ++i) {
+      length += glm::distance(handles[i - 1].pixel, handles[i].pixel);
+    }
+    double widths = 0.0;
+    for (const double share : sharesOf(list, MarkerShape::kCross, input.theme[ColourRole::kKey])) {
+      widths += 9.9 * share;
+    }
+    EXPECT_LT(widths, 0.75 * length) << count;
+    EXPECT_GT(widths, 0.2 * length) << count;
+  }
+}
+
+// A little turn changes little: no cross comes or goes, none changes its size by much.
+TEST(ViewportScene, CrossesDoNotFlickerWhileTheViewTurns) {
+  ViewportInput input = inputOf(screw(3000, 10));
+  input.state.current.key = 1500;
+  ViewportScene scene;
+  const auto sizes = [&] {
+    std::map<std::array<float, 3>, float> result;
+    for (const DrawItem& item : scene.build(input).items) {
+      const auto* style = std::get_if<MarkerStyle>(&item.style);
+      if (style == nullptr || style->shape != MarkerShape::kCross) continue;
+      for (const auto& p : item.geometry->points) result[{p.x, p.y, p.z}] = 1.0f - p.along;
+    }
+    return result;
+  };
+  auto before = sizes();
+  for (int step = 0; step < 40; ++step) {
+    input.view.turn += 0.1;
+    const auto now = sizes();
+    const auto compare = [&](const auto& a, const auto& b) {
+      for (const auto& [place, size] : a) {
+        const auto other = b.find(place);
+        ASSERT_NEAR(size, other == b.end() ? 0.0f : other->second, 0.1f) << step;
+      }
+    };
+    compare(before, now);
+    compare(now, before);
+    before = now;
+  }
+}
+
+// Over all the others, in this order.
+TEST(ViewportScene, WhatIsCurrentLiesOverCrowdedCrosses) {
+  ViewportInput input = inputOf(screw(3000, 10));
+  input.state.current.key = 1500;
+  input.state.hovered = HandleId{HandleKind::kKey, 800, 0, Axis::X};
+  ViewportScene scene;
+  const DrawList& list = scene.build(input);
+  const auto colourOf = [](const DrawItem& item) {
+    return std::visit([](const auto& style) { return style.colour; }, item.style);
+  };
+  const auto lastOnTop = [&](Primitive primitive, ColourRole role) {
+    std::ptrdiff_t last = -1;
+    for (std::size_t i = 0; i < list.items.size(); ++i) {
+      const DrawItem& item = list.items[i];
+      if (item.depth == DrawDepth::kOnTop && item.geometry->primitive == primitive &&
+          colourOf(item) == input.theme[role]) {
+        last = static_cast<std::ptrdiff_t>(i);
+      }
+    }
+    return last;
+  };
+  std::ptrdiff_t crosses = -1;
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    const auto* style = std::get_if<MarkerStyle>(&list.items[i].style);
+    if (style == nullptr || style->shape != MarkerShape::kCross) continue;
+    if (list.items[i].geometry->points.size() > 1) crosses = static_cast<std::ptrdiff_t>(i);
+  }
+  ASSERT_GE(crosses, 0);
+  EXPECT_GT(lastOnTop(Primitive::kPolylines, ColourRole::kAccent), crosses);  // the section
+  EXPECT_GT(lastOnTop(Primitive::kSegments, ColourRole::kAim), crosses);
+  EXPECT_GT(lastOnTop(Primitive::kSegments, ColourRole::kUp), crosses);
+  EXPECT_GT(lastOnTop(Primitive::kPolylines, ColourRole::kUp), crosses);  // the circle
+  const auto own = lastOnTop(Primitive::kMarkers, ColourRole::kAccent);
+  EXPECT_GT(own, lastOnTop(Primitive::kSegments, ColourRole::kAim));
+  // The hovered one last of all, whole and a step larger, with its number.
+  EXPECT_GT(lastOnTop(Primitive::kMarkers, ColourRole::kKey), own);
+  const DrawItem& hovered =
+      list.items[static_cast<std::size_t>(lastOnTop(Primitive::kMarkers, ColourRole::kKey))];
+  EXPECT_EQ(hovered.geometry->points.front().along, 0.0f);
+  EXPECT_EQ(std::get<MarkerStyle>(hovered.style).radius, 8.5f);
+  EXPECT_TRUE(std::ranges::any_of(list.texts, [](const auto& t) { return t.text == "801"; }));
+}
+
+// Selected keys are whole among however many others, and only crowd each other.
+TEST(ViewportScene, SelectedKeysAreWholeAmongMany) {
+  ViewportInput input = inputOf(screw(3000, 10));
+  input.state.current.key = 1501;
+  input.state.selected = {301, 1501, 2101};
+  ViewportScene scene;
+  const auto squares = [&] {
+    return sharesOf(scene.build(input), MarkerShape::kSquare,
+                    input.theme[ColourRole::kKeySelected]);
+  };
+  EXPECT_EQ(squares(), std::vector<double>(3, 1.0));
+  const auto crosses =
+      sharesOf(scene.build(input), MarkerShape::kCross, input.theme[ColourRole::kKey]);
+  EXPECT_EQ(std::ranges::count(crosses, 1.0), 2);
+  input.state.selected.clear();
+  for (std::size_t k = 0; k < 3000; ++k) input.state.selected.push_back(k);
+  const auto all = squares();
+  EXPECT_LT(all.size(), 2500u);
+  EXPECT_EQ(std::ranges::count(all, 1.0), 1);  // the current one
 }
 
 // Ends of lines at the current key: thirds of the tangents by Kochanek and Bartels' formulas.
@@ -632,6 +801,7 @@ void expectSame(const DrawList& kept, const DrawList& fresh) {
   ASSERT_EQ(kept.items.size(), fresh.items.size());
   for (std::size_t i = 0; i < fresh.items.size(); ++i) {
     ASSERT_TRUE(kept.items[i].geometry->points == fresh.items[i].geometry->points) << i;
+    ASSERT_EQ(kept.items[i].depth, fresh.items[i].depth) << i;
   }
 }
 
