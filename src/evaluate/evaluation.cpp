@@ -135,9 +135,9 @@ Camera cameraAtStart(const KeyRecord& record, const SectionRecord& section) {
 }
 
 Camera cameraInSection(const KeyRecord& record, const SectionRecord& section,
-                       const OrientationPath& path, std::int64_t step) {
-  if (step == 0) return cameraAtStart(record, section);
-  const double tau = static_cast<double>(step) / static_cast<double>(section.frames);
+                       const OrientationPath& path, double step) {
+  if (step == 0.0) return cameraAtStart(record, section);
+  const double tau = step / static_cast<double>(section.frames);
   const double progress = section.speed.progress(tau);
   Camera camera;
   if (section.kind == SectionKind::kMove) {
@@ -195,8 +195,23 @@ Frame Evaluation::frame(std::int64_t n) const {
   }
   OrientationPath made;
   frame.kind = s.kind;
-  frame.camera = cameraInSection(record, s, pathOf(chain, at.place, s, made), at.step);
+  frame.camera =
+      cameraInSection(record, s, pathOf(chain, at.place, s, made), static_cast<double>(at.step));
   return frame;
+}
+
+Camera Evaluation::cameraBetween(double position) const {
+  if (!(position > 0.0)) return frame(0).camera;
+  if (position >= static_cast<double>(state_->tree.summary().frames)) {
+    return frame(frameCount() - 1).camera;
+  }
+  const auto n = static_cast<std::int64_t>(position);
+  const FramePlace at = findFrame(state_->tree, n);
+  const SectionRecord& s = at.record->sections[at.place.orientation];
+  if (at.inHold) return cameraAtStart(*at.record, s);
+  OrientationPath made;
+  return cameraInSection(*at.record, s, pathOf(state_->chain(), at.place, s, made),
+                         static_cast<double>(at.step) + (position - static_cast<double>(n)));
 }
 
 std::int64_t Evaluation::sectionCount() const { return state_->tree.summary().entries; }

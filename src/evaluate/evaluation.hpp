@@ -47,6 +47,9 @@ class Evaluation {
   std::int64_t frameCount() const;
   // The camera of frame n, clamped into [0, frameCount() - 1].
   Frame frame(std::int64_t n) const;
+  // The camera at a moment between frames, as the curves lead through it: frame(n)'s where
+  // `position` is the whole number n. Clamped like there; not a number counts as 0.
+  Camera cameraBetween(double position) const;
 
   std::int64_t sectionCount() const;
   // index < sectionCount().

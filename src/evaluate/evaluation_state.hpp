@@ -28,8 +28,8 @@ const OrientationPath& pathOf(const Chain& chain, const OrientationPlace& place,
 // The camera on the orientation that `section` begins with.
 Camera cameraAtStart(const KeyRecord& record, const SectionRecord& section);
 
-// The camera after frame `step` (0 to section.frames - 1) of the section.
+// The camera so many frames, 0 to less than section.frames, after the section's first.
 Camera cameraInSection(const KeyRecord& record, const SectionRecord& section,
-                       const OrientationPath& path, std::int64_t step);
+                       const OrientationPath& path, double step);
 
 }  // namespace vides

@@ -54,9 +54,10 @@ bool FrameWalk::next(Frame& frame) {
   frame.time = static_cast<double>(position_) / state_->flight.frameRate;
   frame.section = at.section.index;
   frame.kind = at.section.kind;
-  frame.camera = at.inHold ? cameraAtStart(*at.record, *at.begins)
-                           : cameraInSection(*at.record, *at.begins, *at.path,
-                                             position_ - at.section.firstFrame);
+  frame.camera = at.inHold
+                     ? cameraAtStart(*at.record, *at.begins)
+                     : cameraInSection(*at.record, *at.begins, *at.path,
+                                       static_cast<double>(position_ - at.section.firstFrame));
   ++position_;
   return true;
 }

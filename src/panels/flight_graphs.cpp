@@ -10,6 +10,9 @@
 namespace vides {
 namespace {
 
+// Samples finer than this are measured between frames.
+constexpr double kFinest = 1.0;
+
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 }  // namespace
@@ -22,6 +25,9 @@ void FlightGraphs::follow(const Evaluation& evaluation) {
     quality_.reset();
     soFar_ = {};
     lastFrame_.reset();
+    sum_ = {};
+    sums_.clear();
+    sumEvery_ = 1 + evaluation.frameCount() / kMostSums;
     walk_.emplace(*evaluation_);
     asked_ = true;
   }
@@ -36,6 +42,11 @@ void FlightGraphs::finish(const std::function<void(std::int64_t, std::int64_t)>&
   }
 }
 
+FlightGraphs::Motion FlightGraphs::between(const Camera& a, const Camera& b) {
+  return {glm::distance(a.viewReferencePoint, b.viewReferencePoint),
+          degrees(rotationBetween(a, b))};
+}
+
 void FlightGraphs::measurePortion() {
   const double fps = evaluation_->flight().frameRate;
   Frame frame;
@@ -43,16 +54,54 @@ void FlightGraphs::measurePortion() {
     if (!walk_->next(frame)) {
       quality_ = soFar_;
       walk_.reset();
+      // What was only estimated is known now.
+      strip_ = {};
       return;
     }
     if (lastFrame_) {
-      const Vec3 step = frame.camera.viewReferencePoint - lastFrame_->camera.viewReferencePoint;
-      soFar_.maxSpeed = std::max(soFar_.maxSpeed, glm::length(step) * fps);
-      const double angle = rotationBetween(lastFrame_->camera, frame.camera);
-      soFar_.maxAngularSpeed = std::max(soFar_.maxAngularSpeed, degrees(angle) * fps);
+      const Motion step = between(lastFrame_->camera, frame.camera);
+      soFar_.maxSpeed = std::max(soFar_.maxSpeed, step.way * fps);
+      soFar_.maxAngularSpeed = std::max(soFar_.maxAngularSpeed, step.turn * fps);
+      sum_ += step;
     }
+    if (frame.number % sumEvery_ == 0) sums_.push_back(sum_);
     lastFrame_ = frame;
   }
+}
+
+FlightGraphs::Motion FlightGraphs::upTo(double frame) const {
+  const double place = frame / static_cast<double>(sumEvery_);
+  const auto before = static_cast<std::size_t>(place);
+  if (before + 1 >= sums_.size()) return sums_.back();
+  const Motion &a = sums_[before], &b = sums_[before + 1];
+  const double share = place - static_cast<double>(before);
+  return {a.way + share * (b.way - a.way), a.turn + share * (b.turn - a.turn)};
+}
+
+// Cut at whole frames, where a section may end.
+FlightGraphs::Motion FlightGraphs::within(double begin, double end,
+                                          std::optional<Camera>& from) const {
+  if (!from) from = evaluation_->cameraBetween(begin);
+  Motion motion;
+  for (double at = begin; at < end;) {
+    const double next = std::min(end, std::floor(at) + 1.0);
+    const Camera to = evaluation_->cameraBetween(next);
+    motion += between(*from, to);
+    from = to;
+    at = next;
+  }
+  return motion;
+}
+
+FlightGraphs::Motion FlightGraphs::estimated(double begin, double end) const {
+  constexpr int kPairs = 2;
+  Motion motion;
+  for (int i = 0; i < kPairs; ++i) {
+    const double n = std::floor(begin + (end - begin) * (i + 0.5) / kPairs);
+    motion += between(evaluation_->cameraBetween(n), evaluation_->cameraBetween(n + 1.0));
+  }
+  const double share = (end - begin) / kPairs;
+  return {share * motion.way, share * motion.turn};
 }
 
 const std::vector<FlightGraphs::PathPoint>& FlightGraphs::path() {
@@ -79,28 +128,32 @@ const SpeedStrip& FlightGraphs::strip(std::int64_t first, double framesPerSample
   strip_.framesPerSample = framesPerSample;
   strip_.speed.reserve(wanted);
   strip_.angularSpeed.reserve(wanted);
-  const double fps = evaluation_->flight().frameRate;
-  const std::int64_t last = evaluation_->frameCount() - 1;
-  std::optional<std::int64_t> before;
+  const auto last = static_cast<double>(evaluation_->frameCount() - 1);
+  const bool summed = quality_ && framesPerSample >= static_cast<double>(sumEvery_);
+  std::optional<Camera> camera;  // at the start of the sample that comes
   for (std::int64_t i = first; i < first + samples; ++i) {
-    const auto n = std::clamp<std::int64_t>(
-        static_cast<std::int64_t>(std::floor(static_cast<double>(i) * framesPerSample)), 0,
-        std::max<std::int64_t>(0, last - 1));
     const auto there = static_cast<std::size_t>(i - old.first);
     if (sameSteps && i >= old.first && there < old.speed.size()) {
       strip_.speed.push_back(old.speed[there]);
       strip_.angularSpeed.push_back(old.angularSpeed[there]);
-    } else if (before == n) {  // zoomed in: several samples a frame
-      strip_.speed.push_back(strip_.speed.back());
-      strip_.angularSpeed.push_back(strip_.angularSpeed.back());
-    } else {
-      const Camera a = evaluation_->frame(n).camera;
-      const Camera b = evaluation_->frame(std::min(n + 1, last)).camera;
-      const Vec3 step = b.viewReferencePoint - a.viewReferencePoint;
-      strip_.speed.push_back(static_cast<float>(glm::length(step) * fps));
-      strip_.angularSpeed.push_back(static_cast<float>(degrees(rotationBetween(a, b)) * fps));
+      camera.reset();
+      continue;
     }
-    before = n;
+    const double begin = std::clamp(static_cast<double>(i) * framesPerSample, 0.0, last);
+    const double end = std::clamp(static_cast<double>(i + 1) * framesPerSample, 0.0, last);
+    Motion motion;
+    if (framesPerSample < kFinest) {
+      motion = within(begin, end, camera);
+    } else if (summed) {
+      motion = upTo(end);
+      const Motion before = upTo(begin);
+      motion += {-before.way, -before.turn};
+    } else {
+      motion = estimated(begin, end);
+    }
+    const double perSecond = end > begin ? evaluation_->flight().frameRate / (end - begin) : 0.0;
+    strip_.speed.push_back(static_cast<float>(motion.way * perSecond));
+    strip_.angularSpeed.push_back(static_cast<float>(motion.turn * perSecond));
   }
   for (const float v : strip_.speed) strip_.mostSpeed = std::max(strip_.mostSpeed, v);
   for (const float v : strip_.angularSpeed) {

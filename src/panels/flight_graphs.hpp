@@ -12,9 +12,11 @@
 
 namespace vides {
 
-// Speed and angular speed at places of the timeline.
+// Speed and angular speed along the timeline, each sample the mean over its stretch.
 struct SpeedStrip {
-  std::int64_t first = 0;  // sample i is that of the frame (first + i) · framesPerSample
+  // Sample i is that of the frames (first + i) · framesPerSample to (first + i + 1) ·
+  // framesPerSample.
+  std::int64_t first = 0;
   double framesPerSample = 1.0;
   std::vector<float> speed;         // cube units per second
   std::vector<float> angularSpeed;  // degrees per second
@@ -38,7 +40,9 @@ class FlightGraphs {
   const std::vector<PathPoint>& path();
 
   // Samples so far apart, from the one numbered `first` on. Those that were there at the last call
-  // are kept, so that scrolling measures only what comes into sight.
+  // are kept, so that scrolling measures only what comes into sight. Where several frames share a
+  // sample, and the flight is not yet measured (or has more than kMostSums frames and samples are
+  // finer than the sums), they are estimated from some of the frames.
   const SpeedStrip& strip(std::int64_t first, double framesPerSample, int samples);
 
   // Nothing while it is still being measured.
@@ -54,7 +58,22 @@ class FlightGraphs {
  private:
   // Frames that are measured in a display frame: about a millisecond's.
   static constexpr std::int64_t kPortion = 4000;
+  static constexpr std::int64_t kMostSums = 1 << 18;
+  // What the camera has done: way in cube units, turn in degrees.
+  struct Motion {
+    double way = 0.0, turn = 0.0;
+    Motion& operator+=(const Motion& o) {
+      way += o.way, turn += o.turn;
+      return *this;
+    }
+  };
+  static Motion between(const Camera& a, const Camera& b);
   void measurePortion();
+  // From the start up to a frame, linear between the sums.
+  Motion upTo(double frame) const;
+  // In the stretch of a sample; `from` is the camera at its start and becomes that at its end.
+  Motion within(double begin, double end, std::optional<Camera>& from) const;
+  Motion estimated(double begin, double end) const;
 
   std::optional<Evaluation> evaluation_;
   std::vector<PathPoint> path_;
@@ -64,6 +83,9 @@ class FlightGraphs {
   std::optional<Frame> lastFrame_;
   Quality soFar_;
   bool asked_ = false;  // since the last follow()
+  std::vector<Motion> sums_;  // up to every sumEvery_-th frame
+  std::int64_t sumEvery_ = 1;
+  Motion sum_;
 };
 
 }  // namespace vides

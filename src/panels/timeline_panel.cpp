@@ -325,15 +325,15 @@ void strip(Ui& ui, const Rect& row, const Track& track, FlightGraphs& graphs) {
   if (row.height < ui.px(8)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double end = std::min(static_cast<double>(track.frames - 1), track.frame(track.right));
-  // A sample a pixel, each always at the same frame while the flight is scrolled; every other one
-  // where several frames share a pixel anyway.
+  // A sample a pixel, the mean over it, each always of the same frames while the flight is
+  // scrolled; every other one where several frames share a pixel anyway.
   const float apart = track.framesPerPixel > 4.0 ? 2.0f : 1.0f;
   const double step = static_cast<double>(apart) * track.framesPerPixel;
-  const auto first = static_cast<std::int64_t>(std::ceil(track.firstFrame / step));
-  const auto past = static_cast<std::int64_t>(std::floor(end / step)) + 1;
+  const auto first = static_cast<std::int64_t>(std::floor(track.firstFrame / step));
+  const auto past = static_cast<std::int64_t>(std::ceil(end / step - 1e-6));
   if (past - first < 2) return;
   const SpeedStrip& speeds = graphs.strip(first, step, static_cast<int>(past - first));
-  const float left = track.x(static_cast<double>(first) * step);
+  const float left = track.x(static_cast<double>(first) * step) + 0.5f * apart;
   std::vector<ImVec2> points(speeds.speed.size());
   const auto draw = [&](const std::vector<float>& values, float most, ColourRole role) {
     if (most <= 0.0f) most = 1.0f;
