@@ -107,7 +107,11 @@ struct Editor::Parts {
   void leftPanels(Ui& ui, Stack& column, Actions& actions);
   void rightPanels(Ui& ui, Stack& column, Actions& actions);
   void rightColumn(Ui& ui, const Rect& rect, Actions& actions);
-  void viewportText(Ui& ui, const Rect& rect);
+  struct Caption {
+    Rect box;
+    std::string words;  // empty where there is no room
+  };
+  Caption viewportCaption(const Ui& ui, const Rect& rect, bool sliders) const;
   void filmText(Ui& ui, const Rect& rect);
   void freeViewSign(Ui& ui, const Rect& rect);
   void pictureArea(Ui& ui, const Rect& rect, bool film, bool small);

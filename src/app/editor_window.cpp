@@ -182,14 +182,28 @@ void Editor::Parts::pointerNote(Ui& ui, const std::string& told, const Vec2& at,
 
 void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
   region("###viewport", rect, [&](const Rect&) {
-    pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, session.scenes(),
-                       viewportState());
-    if (session.layout().bare) return;
     const bool film = session.view().swapped;
-    if (!film && session.display().sliders && roomForSliders(ui, rect)) {
+    const bool bare = session.layout().bare;
+    const bool sliders = !film && !bare && session.display().sliders && roomForSliders(ui, rect);
+    const Caption caption = film || bare ? Caption() : viewportCaption(ui, rect, sliders);
+    ViewportState state = viewportState();
+    const auto cover = [&](const Rect& box) {
+      state.covered.push_back({box.x, box.y, box.width, box.height});
+    };
+    if (!caption.words.empty()) cover(caption.box);
+    if (sliders) {
+      const auto [size, turn, tilt] = sliderPlaces(ui, rect);
+      for (const Rect& box : {size, turn, tilt}) cover(box);
+    }
+    pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, session.scenes(), state);
+    if (bare) return;
+    if (sliders) {
       if (const auto next = viewportSliders(ui, rect, session)) actions.view = next;
     }
-    film ? filmText(ui, rect) : viewportText(ui, rect);
+    if (film) filmText(ui, rect);
+    if (!caption.words.empty()) {
+      ui.text(caption.box, caption.words, {.colour = ColourRole::kTextSecondary});
+    }
     readingSign(ui, rect, session, actions);
     pictureArea(ui, rect, film, false);
   });
@@ -201,25 +215,23 @@ void Editor::Parts::pictureArea(Ui& ui, const Rect& rect, bool film, bool small)
   (film ? overCamera : overViewport) = area.hovered;
 }
 
-// In the viewport's upper left corner: which view it is.
-void Editor::Parts::viewportText(Ui& ui, const Rect& rect) {
+// In the viewport's upper left corner: which view it is, as much of it as there is room for beside
+// the slider.
+Editor::Parts::Caption Editor::Parts::viewportCaption(const Ui& ui, const Rect& rect,
+                                                      bool sliders) const {
   const EditorView& view = session.view().view;
   const bool perspective = view.type == ProjectionType::Perspective;
   const std::string name = ui.words(perspective ? "view/perspective" : "view/parallel");
   const std::string angles = ui.words("view/turn_short") + " " + ui.number(view.turn, 0) +
                              "\u00b0 \u00b7 " + ui.words("view/tilt_short") + " " +
                              ui.number(view.tilt, 0) + "\u00b0";
-  // As much of it as there is room for beside the slider.
   const float left = rect.x + ui.px(14);
-  const bool sliders = session.display().sliders && roomForSliders(ui, rect);
-  const float right = sliders ? sizeSliderPlace(ui, rect).x - ui.px(8) : rect.right() - ui.px(14);
+  const float right = sliders ? sliderPlaces(ui, rect).size.x - ui.px(8) : rect.right() - ui.px(14);
   for (const std::string& label : {name + " \u00b7 " + angles, angles, name}) {
     const float width = ui.textWidth(label);
-    if (left + width > right) continue;
-    ui.text({left, rect.y + ui.px(10), width, ui.px(20)}, label,
-            {.colour = ColourRole::kTextSecondary});
-    return;
+    if (left + width <= right) return {{left, rect.y + ui.px(10), width, ui.px(20)}, label};
   }
+  return {};
 }
 
 // The same for what the camera sees, where it has the viewport's place.

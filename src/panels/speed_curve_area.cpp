@@ -121,7 +121,7 @@ void dashed(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 ink, float width, fl
   }
 }
 
-void grid(Ui& ui, const Rect& rect, const Plane& plane, const SpeedGraph* graph) {
+void grid(Ui& ui, const Rect& rect, const Plane& plane, bool there, const SpeedGraph* graph) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const double level : {1.0, 25.0, 50.0, 75.0, 100.0}) {
     const float y = std::round(plane.at(0.0, level).y) + 0.5f;
@@ -131,12 +131,12 @@ void grid(Ui& ui, const Rect& rect, const Plane& plane, const SpeedGraph* graph)
     ui.text(
         {rect.x - width - ui.px(6), y - ui.px(8), width, ui.px(16)}, ui.number(level, 0),
         {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .align = Align::kRight});
-    if (graph == nullptr || graph->perSpeed <= 0.0) continue;
+    if (!there || graph == nullptr || graph->perSpeed <= 0.0) continue;
     // The same in the scene.
-    const double there = graph->perSpeed * level;
+    const double speed = graph->perSpeed * level;
     ui.text({rect.right() + ui.px(6), y - ui.px(8), ui.px(44), ui.px(16)},
-            ui.number(there, there < 10.0    ? 2
-                             : there < 100.0 ? 1
+            ui.number(speed, speed < 10.0    ? 2
+                             : speed < 100.0 ? 1
                                              : 0),
             {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .mayShorten = true});
   }
@@ -197,12 +197,12 @@ float speedColumn(const Rect& rect, int column) {
   return std::round(rect.x + rect.width * (static_cast<float>(column) + 0.5f) / 12.0f);
 }
 
-void speedCurveArea(Ui& ui, const Rect& rect, const Session& session, SpeedWindowMemory& memory,
-                    Actions& actions) {
+void speedCurveArea(Ui& ui, const Rect& rect, bool there, const Session& session,
+                    SpeedWindowMemory& memory, Actions& actions) {
   ui.fill(rect, ColourRole::kField, 3.0f);
   const Plane plane = planeOf(ui, rect);
   const SpeedGraph* graph = memory.graph ? &*memory.graph : nullptr;
-  grid(ui, rect, plane, graph);
+  grid(ui, rect, plane, there, graph);
   const auto state = ui.area(kId, rect);
   if (graph == nullptr) {
     ui.text(rect, ui.words("speed.no-section"),

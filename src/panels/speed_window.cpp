@@ -18,17 +18,27 @@ constexpr float kRow = 22.0f;
 constexpr float kAxis = 30.0f;   // left of the curve: 1 to 100
 constexpr float kThere = 50.0f;  // right of it: the same in the scene
 
-// At content scale 1. In a low window a flat one leaves the curve to be seen; it stands over the
-// timeline.
+// At content scale 1. In a low window a flat one leaves the flight's curve to be seen; it stands
+// over the timeline. In a narrow window everything stands below the speed curve, and is scrolled.
 struct Measures {
   float width, height;
-  float column;  // of a handle
-  float graph;   // its height
+  float column;       // of a handle
+  float graph;        // its height
+  bool there = true;  // with the speeds in the scene beside it
 };
 constexpr Measures kLarge{820.0f, 436.0f, 44.0f, 200.0f};
 constexpr Measures kFlat{944.0f, 264.0f, 40.0f, 158.0f};
 constexpr float kLowScreen = 1000.0f;
 constexpr float kRamps = 152.0f;  // width of the eases in a flat window
+constexpr float kLeastNarrow = 472.0f;
+constexpr float kNarrowGraph = 128.0f;
+constexpr float kNarrowLower = 92.0f;  // height of the graphs below all
+
+Measures narrow(float width) {
+  // Heading, curve with numbers and buttons, eases, small graphs.
+  const float height = 40.0f + kNarrowGraph + 54.0f + 160.0f + kNarrowLower + 12.0f;
+  return {width, height, (width - 24.0f - kAxis) / 12.0f, kNarrowGraph, false};
+}
 constexpr const char* kValues[kSpeedValues] = {"speed/v0", "speed/v1", "speed/v2", "speed/v3",
                                                "speed/v4", "speed/v5", "speed/v6", "speed/v7",
                                                "speed/v8", "speed/v9"};
@@ -284,17 +294,31 @@ Rect curveWithNumbers(Ui& ui, const Rect& room, const Measures& measures, const 
                       SpeedWindowMemory& memory, Actions& actions) {
   const Rect graph{room.x + ui.px(kAxis), room.y, 12 * ui.px(measures.column),
                    ui.px(measures.graph)};
-  speedCurveArea(ui, graph, session, memory, actions);
+  speedCurveArea(ui, graph, measures.there, session, memory, actions);
   const Rect numbers{graph.x, graph.bottom() + ui.px(4), graph.width, ui.px(kRow)};
   fields(ui, graph, numbers, session, memory, actions);
   const Rect buttons{graph.x, numbers.bottom() + ui.px(6), graph.width, ui.px(kRow)};
   matches(ui, buttons, session, memory, actions);
-  if (memory.graph && memory.graph->unit != SectionUnit::kNone) {
+  if (measures.there && memory.graph && memory.graph->unit != SectionUnit::kNone) {
     const std::string unit = perSecond(ui, memory.graph->unit, "/s");
     ui.text({graph.right() + ui.px(6), numbers.y, ui.px(kThere), numbers.height}, unit,
             {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .mayShorten = true});
   }
   return {graph.x, graph.y, graph.width, buttons.bottom() - graph.y};
+}
+
+// The eases, the durations beside them, the small graphs under both.
+void belowTheCurve(Ui& ui, const Rect& room, const Rect& curve, const Session& session,
+                   const SpeedWindowMemory& memory, Actions& actions) {
+  const float top = curve.bottom() + ui.px(8);
+  const float gap = ui.px(16);
+  const float half = std::floor((room.width - gap) / 2);
+  Stack eases(ui, room.x, top, half);
+  easeGrid(ui, eases, session, actions, memory.graph.has_value(), false);
+  Stack numbers(ui, room.x + half + gap, top, room.width - half - gap);
+  duration(ui, numbers, session, memory, actions);
+  const float below = std::max(eases.y(), numbers.y()) + ui.px(8);
+  lowerGraphs(ui, {room.x, below, room.width, ui.px(kNarrowLower)}, half, memory);
 }
 
 }  // namespace
@@ -303,15 +327,18 @@ void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Acti
   follow(session, memory);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const bool flat = screen.y < ui.px(kLowScreen) && screen.x >= ui.px(kFlat.width);
-  const Measures& measures = flat ? kFlat : kLarge;
+  const float wide = std::floor(screen.x / ui.scale());
+  const bool slim = wide < kLarge.width;
+  const Measures measures = flat ? kFlat : slim ? narrow(std::max(kLeastNarrow, wide)) : kLarge;
   const FloatingFrame frame{
       "speed",         measures.width,
       measures.height, heading(ui, session, memory),
       std::nullopt,    std::max(ui.px(36), screen.y - ui.px(measures.height + 8))};
   const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
     const Rect curve = curveWithNumbers(ui, room, measures, session, memory, actions);
-    const float left = curve.right() + ui.px(kThere) + ui.px(8);
     const bool owns = memory.graph.has_value();
+    if (slim) return belowTheCurve(ui, room, curve, session, memory, actions);
+    const float left = curve.right() + ui.px(kThere) + ui.px(8);
     Stack rows(ui, left, room.y, flat ? ui.px(kRamps) : room.right() - left);
     easeGrid(ui, rows, session, actions, owns, flat);
     if (!flat) {

@@ -31,9 +31,9 @@ struct SpeedWindowMemory {
 void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Actions& actions);
 
 // The part with the curve and its handles: twelve columns, the neighbours' ends in the outer ones.
-// `numbers` is the row below it.
-void speedCurveArea(Ui& ui, const Rect& rect, const Session& session, SpeedWindowMemory& memory,
-                    Actions& actions);
+// With `there` the speeds in the scene stand at its right.
+void speedCurveArea(Ui& ui, const Rect& rect, bool there, const Session& session,
+                    SpeedWindowMemory& memory, Actions& actions);
 // The middle of a column, 0 to 11, within the width of such an area.
 float speedColumn(const Rect& rect, int column);
 

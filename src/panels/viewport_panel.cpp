@@ -17,22 +17,21 @@ bool roomForSliders(const Ui& ui, const Rect& rect) {
 }
 
 // About the middle, and no longer than looks well: the sketch's proportions.
-Rect sizeSliderPlace(const Ui& ui, const Rect& rect) {
+SliderPlaces sliderPlaces(const Ui& ui, const Rect& rect) {
+  const float thick = ui.px(18);
   const float width = std::clamp(rect.width - ui.px(400), ui.px(120), ui.px(480));
-  return {std::round(rect.centreX() - width / 2), rect.y + ui.px(11), width, ui.px(18)};
+  const float turnWidth = std::clamp(rect.width - ui.px(120), ui.px(120), ui.px(720));
+  const float tiltHeight = std::clamp(rect.height - ui.px(180), ui.px(80), ui.px(480));
+  return {
+      {std::round(rect.centreX() - width / 2), rect.y + ui.px(11), width, thick},
+      {std::round(rect.centreX() - turnWidth / 2), rect.bottom() - ui.px(29), turnWidth, thick},
+      {rect.right() - ui.px(26), std::round(rect.centreY() - tiltHeight / 2), thick, tiltHeight}};
 }
 
 std::optional<EditorView> viewportSliders(Ui& ui, const Rect& rect, const Session& session) {
   const EditorView& view = session.view().view;
   EditorView next = view;
-  const Rect size = sizeSliderPlace(ui, rect);
-  const float thick = size.height;
-  const float turnWidth = std::clamp(rect.width - ui.px(120), ui.px(120), ui.px(720));
-  const Rect turn{std::round(rect.centreX() - turnWidth / 2), rect.bottom() - ui.px(29), turnWidth,
-                  thick};
-  const float tiltHeight = std::clamp(rect.height - ui.px(180), ui.px(80), ui.px(480));
-  const Rect tilt{rect.right() - ui.px(26), std::round(rect.centreY() - tiltHeight / 2), thick,
-                  tiltHeight};
+  const auto [size, turn, tilt] = sliderPlaces(ui, rect);
   if (const auto change = ui.slider(
           "view/size", size, view.size,
           {.least = kMinViewSize, .most = kMaxViewSize, .logarithmic = true, .decimals = 2})) {

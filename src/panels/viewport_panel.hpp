@@ -8,9 +8,12 @@
 
 namespace vides {
 
-// Where the slider above the viewport stands.
+// Where the sliders around the viewport stand, if there is room for them.
 bool roomForSliders(const Ui& ui, const Rect& rect);
-Rect sizeSliderPlace(const Ui& ui, const Rect& rect);
+struct SliderPlaces {
+  Rect size, turn, tilt;
+};
+SliderPlaces sliderPlaces(const Ui& ui, const Rect& rect);
 // What the sliders ask for; they change the view, which is no step of the history.
 std::optional<EditorView> viewportSliders(Ui& ui, const Rect& rect, const Session& session);
 

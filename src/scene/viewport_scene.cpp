@@ -44,6 +44,9 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
   const PixelRectangle free{r.x + m.left, r.y + m.top, std::max(1.0, r.width - m.left - m.right),
                             std::max(1.0, r.height - m.top - m.bottom)};
   LabelPlacer labels(free, 4.0 * input.contentScale);
+  for (const PixelRectangle& box : input.state.covered) {
+    labels.blockBox({box.x, box.y}, {box.x + box.width, box.y + box.height}, kBlockedByLabel);
+  }
   ViewportContext context{input, list, labels};
   p.grid.add(context);
   const float lineWidth = context.pixels(input.sizes.lines);

@@ -73,6 +73,8 @@ struct ViewportState {
   // Of the hovered point: the outline of the plane that a left drag would use.
   bool showHoverPlane = true;
   std::optional<DragDisplay> drag;
+  // What stands over the picture (its caption, sliders): labels keep away.
+  std::vector<PixelRectangle> covered;
 };
 
 // The texts beside the current orientation's arrows, and the sizes of all texts (Dear ImGui draws

@@ -248,6 +248,33 @@ TEST(ViewportScene, LabelsCoverNoCrossesAndNotEachOther) {
   EXPECT_GT(labels, 300);
 }
 
+TEST(ViewportScene, LabelsKeepAwayFromWhatStandsOverThePicture) {
+  Random random(9);
+  int elsewhere = 0;
+  for (int round = 0; round < 60; ++round) {
+    ViewportInput input = inputOf(test::randomFlight(random, {}));
+    input.view = randomEditorView(random);
+    input.view.size = 0.9;
+    ViewportScene scene;
+    const std::vector<DrawText> before = scene.build(input).texts;
+    if (before.empty()) continue;
+    // Where a label stood.
+    const DrawText& first = before.front();
+    const double width = input.text.letterWidth * static_cast<double>(first.text.size());
+    const PixelRectangle box{first.pixel.x, first.pixel.y, width, input.text.lineHeight};
+    input.state.covered = {box};
+    for (const DrawText& text : scene.build(input).texts) {
+      const double own = input.text.letterWidth * static_cast<double>(text.text.size());
+      const bool covers = text.pixel.x < box.x + box.width && box.x < text.pixel.x + own &&
+                          text.pixel.y < box.y + box.height &&
+                          box.y < text.pixel.y + input.text.lineHeight;
+      EXPECT_FALSE(covers) << round << ": " << text.text;
+      if (text.text == first.text && text.pixel != first.pixel) ++elsewhere;
+    }
+  }
+  EXPECT_GT(elsewhere, 40);
+}
+
 TEST(ViewportScene, NumbersCountFromOne) {
   ViewportInput input = inputOf(sixKeys());
   ViewportScene scene;
