@@ -69,7 +69,8 @@ TEST(Joints, HaveNoJumps) {
         if (!s.exists) continue;
         s.frames = std::int64_t{1} << 50;
         const Camera end = evaluation.cameraAt(chain.after({k, j}));
-        const Camera nearEnd = cameraInSection(*tree[k], s, s.path, s.frames - 1);
+        const Camera nearEnd =
+            cameraInSection(*tree[k], s, s.path, static_cast<double>(s.frames - 1));
         const Camera nearStart = cameraInSection(*tree[k], s, s.path, 1);
         ++sections;
         // Beside a pole a tracking camera swings round within any distance.
@@ -89,8 +90,8 @@ TEST(Joints, HaveNoJumps) {
 Vec3 turnRateAt(const KeyRecord& record, SectionRecord s, bool atEnd) {
   s.frames = 1'000'000;
   const std::int64_t step = atEnd ? s.frames - 2 : 1;
-  const Camera a = cameraInSection(record, s, s.path, step);
-  const Camera b = cameraInSection(record, s, s.path, step + 1);
+  const Camera a = cameraInSection(record, s, s.path, static_cast<double>(step));
+  const Camera b = cameraInSection(record, s, s.path, static_cast<double>(step + 1));
   const auto progress = [&](std::int64_t n) {
     return s.speed.progress(static_cast<double>(n) / static_cast<double>(s.frames));
   };
