@@ -53,6 +53,7 @@ void FlightGraphs::measurePortion() {
   for (std::int64_t i = 0; i < kPortion; ++i) {
     if (!walk_->next(frame)) {
       quality_ = soFar_;
+      sums_.push_back(sum_);
       walk_.reset();
       // What was only estimated is known now.
       strip_ = {};
@@ -117,6 +118,7 @@ const std::vector<FlightGraphs::PathPoint>& FlightGraphs::path() {
 
 const SpeedStrip& FlightGraphs::strip(std::int64_t first, double framesPerSample, int samples) {
   const auto wanted = static_cast<std::size_t>(std::max(samples, 0));
+  if (framesPerSample >= kFinest) asked_ = true;
   const bool sameSteps = strip_.framesPerSample == framesPerSample;
   if (!strip_.speed.empty() && sameSteps && strip_.first == first &&
       strip_.speed.size() == wanted) {

@@ -82,7 +82,7 @@ class FlightGraphs {
   std::optional<FrameWalk> walk_;
   std::optional<Frame> lastFrame_;
   Quality soFar_;
-  bool asked_ = false;  // since the last follow()
+  bool asked_ = false;        // since the last follow()
   std::vector<Motion> sums_;  // up to every sumEvery_-th frame
   std::int64_t sumEvery_ = 1;
   Motion sum_;

@@ -184,7 +184,7 @@ TEST(Editor, EveryWordThatIsMissingIsNoticed) {
 TEST(Editor, LongFlightsAreMeasuredWhereItIsShown) {
   const auto begin = [](Stage& one, bool shown) {
     Layout layout;
-    layout.rightShown = shown;
+    layout.rightShown = layout.timelineShown = shown;
     one.player->editor().setLayout(layout);
     ASSERT_TRUE(one.player->perform(Command("set-duration", 2000.0)));
     for (int i = 0; i < 8; ++i) one.player->frame();
