@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kCrossRadius = 7.0, kCurrentRadius = 8.0, kSelectedRadius = 9.5;
 constexpr double kHoverStep = 1.5;
+// So many keys never bury the curve, also where all are seen one behind the other.
+constexpr std::size_t kFewKeys = 32;
 constexpr double kPlateOpacity = 0.72;
 constexpr std::size_t kMostNumbers = 250;
 // So many keys that changed are looked up one by one.
@@ -108,6 +110,8 @@ void KeysPart::find(const ViewportContext& context) {
 }
 
 void KeysPart::giveRoom(const ViewportContext& context) {
+  for (Place& place : seen_) place.point.along = 0.0f;
+  if (context.flight().keys.size() <= kFewKeys) return;
   const double cell = kCrowdingRadii * kCrossRadius * context.handleScale();
   crowding_.begin(context.view().pixels(), cell);
   for (const Place& place : seen_) crowding_.add(place.pixel);

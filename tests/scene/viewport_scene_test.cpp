@@ -678,6 +678,18 @@ TEST(ViewportScene, ManyKeysAreThinnedButAllCanBePicked) {
 
 TEST(ViewportScene, FewKeysHaveWholeCrosses) {
   Random random(61);
+  // One behind the other, as the front view of a dolly shows them.
+  Flight line = sixKeys();
+  while (line.keys.size() < 32) {
+    Key key = line.keys[0];
+    key.position.z = 1.0 - 0.06 * static_cast<double>(line.keys.size());
+    line.keys.push_back(key);
+  }
+  ViewportInput front = inputOf(line);
+  front.view.turn = front.view.tilt = 0.0;
+  ViewportScene frontScene;
+  EXPECT_EQ(sharesOf(frontScene.build(front), MarkerShape::kCross, front.theme[ColourRole::kKey]),
+            std::vector<double>(31, 1.0));
   for (int round = 0; round < 40; ++round) {
     Flight flight = sixKeys();
     for (std::size_t k = 0; k < 6; ++k) {
