@@ -44,12 +44,13 @@ void shareClipboard(ImGuiIO& io, Editor::Parts& parts) {
   io.ClipboardUserData = &parts;
   io.GetClipboardTextFn = [](void* data) -> const char* {
     auto& self = *static_cast<Editor::Parts*>(data);
-    self.clipboardBuffer = self.options.clipboard ? self.options.clipboard() : std::string();
+    self.clipboardBuffer =
+        self.memory.wide.folded(self.options.clipboard ? self.options.clipboard() : "");
     return self.clipboardBuffer.c_str();
   };
   io.SetClipboardTextFn = [](void* data, const char* text) {
     auto& self = *static_cast<Editor::Parts*>(data);
-    if (self.options.setClipboard) self.options.setClipboard(text);
+    if (self.options.setClipboard) self.options.setClipboard(self.memory.wide.unfolded(text));
   };
 }
 
@@ -245,11 +246,11 @@ FrameOutcome Editor::frame(const FrameInput& given) {
   p.session.advance(p.time);
   p.stepGlide();
   if (given.size.empty()) {
-    while (p.input.waiting()) p.input.feed(io, [&](const InputEvent& e) { return p.notice(e); });
+    while (p.input.waiting()) p.feed(io);
     p.graphs.follow(p.session.evaluation());  // nobody sees them
     return p.outcome();
   }
-  p.input.feed(io, [&](const InputEvent& e) { return p.notice(e); });
+  p.feed(io);
   if (p.options.waitForWork) p.session.finishFrames();
   // What a panel asked for is on screen in the same display frame.
   if (p.pass(given)) {

@@ -67,6 +67,12 @@ void Editor::Parts::focusChanged(bool focused) {
   input.release(ImGui::GetIO());
 }
 
+void Editor::Parts::feed(ImGuiIO& io) {
+  input.feed(
+      io, [this](const InputEvent& event) { return notice(event); },
+      [this](std::string_view text) { return memory.wide.folded(text); });
+}
+
 // True where Dear ImGui must not see it.
 bool Editor::Parts::notice(const InputEvent& event) {
   if (const auto* moved = std::get_if<PointerMoved>(&event)) {

@@ -90,6 +90,7 @@ struct Editor::Parts {
   FrameOutcome outcome();
   // editor_events.cpp
   bool notice(const InputEvent& event);
+  void feed(ImGuiIO& io);
   void pointerMoved();
   bool wheelTurned(const WheelTurned& wheel);
   void focusChanged(bool focused);

@@ -26,7 +26,8 @@ template <class... Cases>
 Match(Cases...) -> Match<Cases...>;
 
 // Whether the event ends a portion.
-bool apply(ImGuiIO& io, const InputEvent& event) {
+bool apply(ImGuiIO& io, const InputEvent& event,
+           const std::function<std::string(std::string_view)>& folded) {
   return std::visit(
       Match{[&](const PointerMoved& moved) {
               io.MousePos = {static_cast<float>(moved.x), static_cast<float>(moved.y)};
@@ -54,7 +55,7 @@ bool apply(ImGuiIO& io, const InputEvent& event) {
               return true;
             },
             [&](const TextTyped& typed) {
-              io.AddInputCharactersUTF8(typed.text.c_str());
+              io.AddInputCharactersUTF8(folded(typed.text).c_str());
               return true;
             },
             [](const auto&) { return true; }},
@@ -97,7 +98,8 @@ void ImguiInput::add(const std::vector<InputEvent>& events) {
   events_.insert(events_.end(), events.begin(), events.end());
 }
 
-void ImguiInput::feed(ImGuiIO& io, const std::function<bool(const InputEvent&)>& seen) {
+void ImguiInput::feed(ImGuiIO& io, const std::function<bool(const InputEvent&)>& seen,
+                      const std::function<std::string(std::string_view)>& folded) {
   bool moved = false;
   while (!events_.empty()) {
     // What is pressed is found under the pointer: it has to have got there before.
@@ -106,7 +108,7 @@ void ImguiInput::feed(ImGuiIO& io, const std::function<bool(const InputEvent&)>&
     moved = moves;
     const InputEvent event = std::move(events_.front());
     events_.pop_front();
-    if (seen(event) || apply(io, event)) return;
+    if (seen(event) || apply(io, event, folded)) return;
   }
 }
 

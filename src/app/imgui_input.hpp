@@ -4,7 +4,8 @@
 
 #include <deque>
 #include <functional>
-#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "input/input_event.hpp"
@@ -23,8 +24,9 @@ class ImguiInput {
   void add(const std::vector<InputEvent>& events);
   bool waiting() const { return !events_.empty(); }
   // The next portion goes into `io`; each of its events is given to `seen` first, and goes no
-  // further where that is true.
-  void feed(ImGuiIO& io, const std::function<bool(const InputEvent&)>& seen);
+  // further where that is true. Texts are `folded` as the fields need it.
+  void feed(ImGuiIO& io, const std::function<bool(const InputEvent&)>& seen,
+            const std::function<std::string(std::string_view)>& folded);
   // Nothing is pressed any more: the window lost its focus, or its picture.
   void release(ImGuiIO& io);
 

@@ -309,7 +309,8 @@ void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
     return;
   }
   std::array<char, 4096> buffer{};
-  memory.name.copy(buffer.data(), buffer.size() - 1);
+  WideCharacters& wide = ui.memory().wide;
+  wide.folded(memory.name).copy(buffer.data(), buffer.size() - 1);
   const float vertical = std::floor((box.height - ui.font(Weight::kRegular)->FontSize) / 2.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), vertical));
   ImGui::SetCursorScreenPos({box.x, box.y});
@@ -319,10 +320,12 @@ void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
   if (!memory.rewritten && !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   memory.rewritten = false;
   if (ImGui::InputText("###chooser/name/typing", buffer.data(), buffer.size(),
-                       ImGuiInputTextFlags_AutoSelectAll) &&
-      memory.name != buffer.data()) {
-    memory.name = buffer.data();
-    memory.selected = -1;
+                       ImGuiInputTextFlags_AutoSelectAll)) {
+    std::string name = wide.unfolded(buffer.data());
+    if (name != memory.name) {
+      memory.name = std::move(name);
+      memory.selected = -1;
+    }
   }
   ImGui::PopItemWidth();
   ImGui::PopStyleVar();

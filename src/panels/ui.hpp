@@ -16,6 +16,7 @@
 
 #include "edit/text.hpp"
 #include "panels/fonts.hpp"
+#include "panels/wide_characters.hpp"
 #include "panels/widget_registry.hpp"
 #include "scene/theme.hpp"
 
@@ -86,6 +87,7 @@ enum class Icon {
 struct UiMemory {
   std::string editing;  // identifier of the field or slider that takes text
   std::string buffer;   // what was typed
+  WideCharacters wide;  // of what is being typed, wherever
   std::string before;   // what stood there
   bool editingStarted = false;
   std::string dragging;       // slider

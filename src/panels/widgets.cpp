@@ -11,7 +11,8 @@
 namespace vides {
 namespace {
 
-constexpr double kTooltipDelay = 0.6;  // seconds
+constexpr double kTooltipDelay = 0.6;     // seconds
+constexpr std::size_t kMostTyped = 4096;  // bytes: a name of 1,000 characters
 
 ImRect rectangle(const Rect& r) { return {r.x, r.y, r.right(), r.bottom()}; }
 
@@ -197,14 +198,15 @@ void Ui::startTyping(std::string_view id, std::string words) {
   setting_.memory.before = words;
   setting_.memory.buffer = std::move(words);
   setting_.memory.editingStarted = false;
+  // Room for a whole field; what is shown elsewhere is looked up anew.
+  if (setting_.memory.wide.room() < kMostTyped / 3) setting_.memory.wide.clear();
 }
 
 // Nothing while it is typed; then the text, or nothing with `ended` where it was given up.
 std::optional<std::string> Ui::textEditor(std::string_view id, const Rect& rect, bool& ended) {
   UiMemory& memory = setting_.memory;
-  constexpr std::size_t kMost = 4096;  // bytes: a name of 1,000 characters
-  char buffer[kMost] = {};
-  memory.buffer.copy(buffer, kMost - 1);
+  char buffer[kMostTyped] = {};
+  memory.wide.folded(memory.buffer).copy(buffer, kMostTyped - 1);
   ImFont* used = font(Weight::kRegular);
   const float vertical = std::floor((rect.height - used->FontSize) / 2.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), vertical));
@@ -213,14 +215,14 @@ std::optional<std::string> Ui::textEditor(std::string_view id, const Rect& rect,
   const std::string label = "###" + std::string(id) + "/typing";
   if (memory.editingStarted && !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   const bool entered =
-      ImGui::InputText(label.c_str(), buffer, kMost,
+      ImGui::InputText(label.c_str(), buffer, kMostTyped,
                        ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
   const bool left = ImGui::IsItemDeactivated();
   if (ImGui::IsItemActive()) memory.editingStarted = true;
   ImGui::PopItemWidth();
   ImGui::PopStyleVar();
   outline(rect, ColourRole::kText, 3.0f);
-  memory.buffer = buffer;
+  memory.buffer = memory.wide.unfolded(buffer);
   ended = entered || left;
   if (!ended) return std::nullopt;
   memory.editing.clear();
