@@ -61,7 +61,7 @@ void readingSign(Ui& ui, const Rect& viewport, const Session& session, Actions& 
   const float pad = ui.px(8), button = ui.px(96), number = ui.px(52);
   const float most = viewport.width - 2 * pad;
   const float width =
-      std::min(most, std::max(ui.px(280), ui.textWidth(words) + number + button + 4 * pad));
+      std::min(most, std::max(ui.px(320), ui.textWidth(words) + number + button + 6 * pad));
   const Rect box{std::round(viewport.centreX() - width / 2), viewport.y + ui.px(44), width,
                  ui.px(40)};
   if (width < number + button + 4 * pad || box.bottom() > viewport.bottom()) return;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
-#include <limits>
+#include <random>
 #include <span>
 
 #include "scene/curve_flattener.hpp"
@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kMostInTile = 8192;
 // Cells along the longest side of a large scene's grids.
 constexpr std::array<std::uint32_t, 7> kGrids{1024, 512, 256, 128, 64, 32, 16};
+// As many are whole even in the smallest picture.
+constexpr std::size_t kAlwaysWhole = kMostSceneElements / 8;
 // A coarser detail has to be so much smaller to be worth keeping.
 constexpr double kWorthKeeping = 0.7;
 // Pixels that a cell may cover: the first that leaves few enough elements is taken.
@@ -75,7 +77,7 @@ class Maker {
   bool divide(Primitive primitive, std::vector<std::array<std::uint32_t, kCorners>> elements,
               double from, double to, DrawableScene::Tiles& tiles) {
     const std::size_t all = elements.size();
-    const bool large = all > kMostSceneElements;
+    const bool large = all > kAlwaysWhole;
     if (large && grids_.empty() && !makeGrids()) return false;
     std::vector<std::span<std::array<std::uint32_t, kCorners>>> waiting;
     if (all > 0) waiting.emplace_back(elements);
@@ -175,6 +177,8 @@ class Maker {
       // However small it is seen, something of it stays.
       if (joined.empty()) break;
       if (static_cast<double>(joined.size()) > kWorthKeeping * before) continue;
+      // The first of them stand for all where even the coarsest is too much.
+      std::ranges::shuffle(joined, std::minstd_rand(1));
       tile.details.push_back({grid.cell, geometry<kCorners>(primitive, grid.means, joined)});
     }
     return tile;
@@ -185,26 +189,26 @@ class Maker {
   std::vector<Grid> grids_;
 };
 
-// Of the cells in a box: at most so many pixels a unit.
+// Pixels that a unit covers about the middle of a box. Where the eye is close to it or in it, some
+// of it is seen larger.
 double pixelsPerUnit(const ViewProjection& view, const Vec3& low, const Vec3& high) {
   if (!view.perspective()) return view.pixelsPerUnit();
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int corner = 0; corner < 8; ++corner) {
-    nearest = std::min(nearest, view.weight({(corner & 1) != 0 ? high.x : low.x,
-                                             (corner & 2) != 0 ? high.y : low.y,
-                                             (corner & 4) != 0 ? high.z : low.z}));
-  }
   const ViewMapping& mapping = view.mapping();
   const double eye = mapping.projectionReferencePoint.z;
-  return view.pixelsPerUnit() * (eye - mapping.viewPlaneDistance) /
-         std::max(nearest, eye - mapping.frontPlaneDistance);
+  const double away = std::max({view.weight(0.5 * (low + high)), 0.25 * glm::distance(low, high),
+                                eye - mapping.frontPlaneDistance});
+  return view.pixelsPerUnit() * (eye - mapping.viewPlaneDistance) / away;
 }
 
-// What is joined stands no closer than this.
-std::size_t mostJoined(const ViewProjection& view) {
-  constexpr double kPixelsEach = 10.0, kLeast = 4096.0, kMost = kMostSceneElements / 2;
+// A picture is whole with so many elements, else it has far fewer: what is joined is easy to read.
+struct Limits {
+  std::size_t whole, joined;
+};
+Limits limitsOf(const ViewProjection& view) {
   const double area = view.pixels().width * view.pixels().height;
-  return static_cast<std::size_t>(std::clamp(area / kPixelsEach, kLeast, kMost));
+  constexpr double kAll = kAlwaysWhole, kMost = kMostSceneElements;
+  return {static_cast<std::size_t>(std::clamp(area / 3.0, kAll, kMost)),
+          static_cast<std::size_t>(std::clamp(area / 10.0, kAll / 4.0, kMost / 2.0))};
 }
 
 struct SeenTile {
@@ -271,7 +275,8 @@ std::vector<SeenDetail> seenDetails(const std::vector<PlacedTiles>& groups,
     return sum;
   };
   std::size_t all = count();
-  const std::size_t most = all > kMostSceneElements ? mostJoined(view) : kMostSceneElements;
+  const Limits limits = limitsOf(view);
+  const std::size_t most = all > limits.whole ? limits.joined : limits.whole;
   for (; all > most && pixels < kCoarsest; all = count()) pixels *= kStep;
   // Where joining doesn't help, as with long lines across each other: an even share of all.
   const double share = all > most ? static_cast<double>(most) / static_cast<double>(all) : 1.0;

@@ -5,8 +5,9 @@
 // How much of a large scene is drawn depends on what is seen of it. A coarser detail joins the
 // positions in each cell of a grid (their mean stands for them) and keeps the edges that still lead
 // from cell to cell: what differs from the whole is smaller than a cell. Where a picture would show
-// more than kMostSceneElements, near tiles are drawn finer than far ones, and all together so much
-// that a wireframe can still be told from a grey patch. Scenes with no more are always whole.
+// more than it has room for, near tiles are drawn finer than far ones, and all together so much
+// that a wireframe can still be told from a grey patch. Scenes of an eighth of
+// kMostSceneElements are always whole.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,8 @@
 
 namespace vides {
 
-// Edges or points of all scenes in one picture.
+// Edges or points of all scenes in one picture: in the largest; a picture of 100 × 100 pixels has
+// an eighth of it.
 inline constexpr std::size_t kMostSceneElements = 131072;
 
 class DrawableScene {

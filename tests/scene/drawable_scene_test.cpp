@@ -186,6 +186,54 @@ TEST(DrawableScene, CoarserDetailsCoverTheSame) {
   EXPECT_GT(coarser, drawable->edges().size());
 }
 
+// However little of it is drawn, it is drawn everywhere.
+TEST(DrawableScene, NothingHasHoles) {
+  Random random(17);
+  for (const std::uint32_t side : {100u, 200u, 300u}) {
+    const SceneGeometry scene = net(side);
+    const SharedDrawable drawable = DrawableScene::make(scene);
+    for (int round = 0; round < 12; ++round) {
+      EditorView editorView;
+      editorView.turn = random.between(-180, 180);
+      editorView.tilt = random.between(15, 90);  // the net lies flat
+      editorView.size = random.between(0.5, 3.0);
+      editorView.type = random.coin() ? ProjectionType::Parallel : ProjectionType::Perspective;
+      const PixelRectangle picture =
+          random.coin() ? PixelRectangle{0, 0, 232, 131} : PixelRectangle{0, 0, 720, 620};
+      const ViewProjection view = viewProjection(editorView, picture);
+      constexpr double kCell = 16.0;  // pixels
+      std::set<std::pair<int, int>> drawn;
+      const auto cellOf = [&](const Vec2& pixel) {
+        return std::pair(static_cast<int>(std::floor(pixel.x / kCell)),
+                         static_cast<int>(std::floor(pixel.y / kCell)));
+      };
+      for (const DrawItem& item : itemsOf(drawable, view)) {
+        for (std::size_t i = 0; i < 2 * item.count; ++i) {
+          const auto pixel = view.project(placeOf(item.place, item.geometry->points[i]));
+          if (pixel) drawn.insert(cellOf(*pixel));
+        }
+      }
+      std::size_t seen = 0, bare = 0;
+      for (std::size_t i = 0; i < scene.positions.size(); i += 3) {
+        const auto pixel = view.project(scene.positions[i]);
+        if (!pixel || pixel->x < 0 || pixel->x >= picture.width || pixel->y < 0 ||
+            pixel->y >= picture.height) {
+          continue;
+        }
+        ++seen;
+        const auto [x, y] = cellOf(*pixel);
+        bool near = false;
+        for (int dx = -1; dx <= 1; ++dx) {
+          for (int dy = -1; dy <= 1; ++dy) near = near || drawn.contains({x + dx, y + dy});
+        }
+        bare += near ? 0 : 1;
+      }
+      EXPECT_GT(seen, 10u);
+      EXPECT_EQ(bare, 0u) << "of " << seen;
+    }
+  }
+}
+
 TEST(DrawableScene, LongLinesAcrossEachOtherStayWithinTheLimit) {
   Random random(9);
   SceneGeometry scene;
@@ -227,7 +275,7 @@ TEST(DrawableScene, MakingCanBeStopped) {
   });
   EXPECT_TRUE(drawable);
   EXPECT_GT(told, 10);
-  for (int most = 0; most < told; most += 5) {
+  for (int most = 0; most < told; most += 1 + told / 12) {
     int left = most;
     EXPECT_EQ(DrawableScene::make(scene, [&](double) { return left-- > 0; }), nullptr);
   }
