@@ -50,17 +50,24 @@ void latitude(ImDrawList& list, const SphereView& view, double degrees, ImU32 fr
   }
 }
 
+// With more keys the sphere shows where the path is dense, not each mark.
+constexpr std::size_t kMostMarked = 400;
+
+bool crowded(const Session& session) { return session.flight().keys.size() > kMostMarked; }
+
 // Runs of the path that look the same are one polyline, so that joints have no dots.
 void drawPath(Ui& ui, ImDrawList& list, const SphereView& view,
               const std::vector<FlightGraphs::PathPoint>& path, std::int64_t currentFirst,
-              std::int64_t currentEnd, bool back) {
+              std::int64_t currentEnd, bool back, bool dense) {
   std::vector<ImVec2> run;
   bool runCurrent = false;
   const auto flush = [&] {
     if (run.size() > 1) {
       const ColourRole role = runCurrent ? ColourRole::kAccent : ColourRole::kAim;
-      list.AddPolyline(run.data(), static_cast<int>(run.size()), ui.colour(role, back ? 0.35 : 1.0),
-                       0, (runCurrent ? 2.4f : 2.0f) * ui.scale());
+      const double strength = (back ? 0.35 : 1.0) * (dense && !runCurrent ? 0.5 : 1.0);
+      const float width = runCurrent ? 2.4f : dense ? 1.0f : 2.0f;
+      list.AddPolyline(run.data(), static_cast<int>(run.size()), ui.colour(role, strength), 0,
+                       width * ui.scale());
     }
     run.clear();
   };
@@ -85,14 +92,18 @@ void drawPath(Ui& ui, ImDrawList& list, const SphereView& view,
 void drawMarks(Ui& ui, ImDrawList& list, const SphereView& view, const Session& session,
                bool back) {
   const KeyList& keys = session.flight().keys;
-  constexpr std::size_t kMost = 400;
-  const std::size_t step = keys.size() / kMost + 1;
+  const std::size_t step = keys.size() / kMostMarked + 1;
+  const bool dense = crowded(session);
   const auto mark = [&](const OrientationPlace& place) {
     const Vec3 vpn = session.evaluation().cameraAt(place).viewPlaneNormal;
     if (view.front(vpn) == back) return;
     const bool current = place == session.current();
-    const float radius = ui.scale() * (current ? 4.0f : 3.2f);
+    const float radius = ui.scale() * (current ? 4.0f : dense ? 1.6f : 3.2f);
     const ImVec2 at = view.place(vpn);
+    if (dense && !current) {
+      list.AddCircleFilled(at, radius, ui.colour(ColourRole::kKey, back ? 0.35 : 0.85));
+      return;
+    }
     list.AddCircleFilled(at, radius, ui.colour(ColourRole::kHandleFill));
     list.AddCircle(at, radius,
                    ui.colour(current ? ColourRole::kAccent : ColourRole::kKey, back ? 0.45 : 1.0),
@@ -101,6 +112,8 @@ void drawMarks(Ui& ui, ImDrawList& list, const SphereView& view, const Session& 
   for (std::size_t k = 0; k < keys.size(); k += step) {
     for (std::size_t o = 0; o < keys[k].orientations.size(); ++o) mark({k, o});
   }
+  // Over the others, and also where its key is not among those marked.
+  if (dense) mark(session.current());
 }
 
 // The orientation in front that is seen nearest to a place, if it is nearer than `reach` pixels.
@@ -144,9 +157,10 @@ void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& gr
     const auto section = session.evaluation().sectionFrom(session.current());
     const std::int64_t first = section ? section->firstFrame : 0;
     const std::int64_t end = section ? first + section->frames : 0;
-    drawPath(ui, list, view, graphs.path(), first, end, true);
+    const bool dense = crowded(session);
+    drawPath(ui, list, view, graphs.path(), first, end, true, dense);
     drawMarks(ui, list, view, session, true);
-    drawPath(ui, list, view, graphs.path(), first, end, false);
+    drawPath(ui, list, view, graphs.path(), first, end, false, dense);
     drawMarks(ui, list, view, session, false);
     // Where the camera looks at the playhead.
     const Vec3 now = session.camera().viewPlaneNormal;

@@ -2,6 +2,9 @@
 // Runs of bars and of marks.
 #include "panels/timeline_runs.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vides {
 
 void BarRuns::add(const Rect& bar, SectionKind kind, bool narrow, bool hovered) {
@@ -32,28 +35,35 @@ void MarkRuns::add(float x, bool isKey, bool ringed, ColourRole role) {
     run_->to = x;
     return;
   }
-  end();
-  run_ = Run{x, x, isKey, ringed, role};
+  const float gap = run_ ? std::abs(x - run_->to) : std::numeric_limits<float>::infinity();
+  if (run_) draw(*run_, gap);
+  run_ = Run{x, x, isKey, ringed, role, gap};
 }
 
 void MarkRuns::end() {
-  if (!run_) return;
+  if (run_) draw(*run_, std::numeric_limits<float>::infinity());
+  run_.reset();
+}
+
+void MarkRuns::draw(const Run& run, float gapBehind) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 ink = ui_.colour(run_->role);
-  const float radius = ui_.scale() * (run_->isKey ? 3.6f : 2.2f);
+  const bool one = run.from == run.to;
+  const ImU32 ink = ui_.colour(run.role, one ? 1.0 : 0.6);
+  const float whole = ui_.scale() * (run.isKey ? one ? 3.6f : 2.6f : 2.2f);
+  const float room = 0.4f * std::min(run.gap, gapBehind);
+  const float radius = std::clamp(room, ui_.scale() * 1.4f, whole);
   const float ring = radius + 2.0f * ui_.scale();
-  if (run_->from == run_->to) {
-    list.AddCircleFilled({run_->from, y_}, radius, ink);
-    if (run_->ringed) list.AddCircle({run_->from, y_}, ring, ink, 0, 1.2f * ui_.scale());
+  if (one) {
+    list.AddCircleFilled({run.from, y_}, radius, ink);
+    if (run.ringed) list.AddCircle({run.from, y_}, ring, ink, 0, 1.2f * ui_.scale());
   } else {
-    list.AddRectFilled({run_->from - radius, y_ - radius}, {run_->to + radius, y_ + radius}, ink,
+    list.AddRectFilled({run.from - radius, y_ - radius}, {run.to + radius, y_ + radius}, ink,
                        radius);
-    if (run_->ringed) {
-      list.AddRect({run_->from - ring, y_ - ring}, {run_->to + ring, y_ + ring}, ink, ring, 0,
+    if (run.ringed) {
+      list.AddRect({run.from - ring, y_ - ring}, {run.to + ring, y_ + ring}, ink, ring, 0,
                    1.2f * ui_.scale());
     }
   }
-  run_.reset();
 }
 
 }  // namespace vides

@@ -3,6 +3,7 @@
 // same becomes one shape.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "evaluate/section.hpp"
@@ -24,7 +25,8 @@ class BarRuns {
   SectionKind kind_ = SectionKind::kMove;
 };
 
-// Marks of keys and orientations; equal ones that overlap, as one long one.
+// Marks of keys and orientations, smaller where they would touch; equal ones that lie one over the
+// other, as one long one.
 class MarkRuns {
  public:
   // `y` is their middle.
@@ -38,7 +40,9 @@ class MarkRuns {
     float from, to;
     bool isKey, ringed;
     ColourRole role;
+    float gap;  // to the mark before, pixels
   };
+  void draw(const Run& run, float gapBehind);
   Ui& ui_;
   float y_;
   std::optional<Run> run_;
