@@ -35,11 +35,16 @@ std::optional<Command> vectorFields(Ui& ui, const std::string& prefix, const Rec
                                     const Vec3& shownAt, Actions& actions,
                                     const std::function<Command(const Vec3&)>& command) {
   std::optional<Command> result;
+  // All three with as many decimals, and as many when one of them changes its sign.
+  int decimals = 3;
+  for (int axis = 0; axis < 3; ++axis) {
+    decimals =
+        std::min(decimals, fittingDecimals(ui, boxes[axis], -std::abs(shownAt[axis]), decimals));
+  }
   for (int axis = 0; axis < 3; ++axis) {
     const Rect& box = boxes[axis];
-    const auto typed = ui.field(prefix + "xyz" [axis], box, shownAt[axis], {
-      .decimals = fittingDecimals(ui, box, shownAt[axis], 3), .weight = Weight::kSemibold
-    });
+    const auto typed = ui.field(prefix + "xyz" [axis], box, shownAt[axis],
+                                { .decimals = decimals, .weight = Weight::kSemibold });
     if (typed.refused) actions.noNumber = typed.refused;
     if (!typed.value) continue;
     Vec3 at = shownAt;
