@@ -11,6 +11,7 @@
 #include "host/open_host.hpp"
 #include "io/vid_reader.hpp"
 #include "render/scene_renderer.hpp"
+#include "scene/drawable_scene.hpp"
 #include "scene/obj_reader.hpp"
 #include "scene/viewport_scene.hpp"
 
@@ -53,10 +54,10 @@ struct Stage {
   }
 };
 
-ViewportInput inputOf(const Flight& flight, SharedScene scene) {
+ViewportInput inputOf(const Flight& flight, const SceneGeometry& scene) {
   ViewportInput input;
   input.evaluation = Evaluation(flight);
-  input.scene = std::move(scene);
+  input.scenes = {DrawableScene::make(scene)};
   input.rectangle = {0, 0, static_cast<double>(kSize.width), static_cast<double>(kSize.height)};
   input.state.current = {flight.keys.size() / 2, 0};
   input.state.selected = {flight.keys.size() / 2};
@@ -66,8 +67,7 @@ ViewportInput inputOf(const Flight& flight, SharedScene scene) {
 ViewportInput pyramid() {
   const std::filesystem::path folder = VIDES_SOURCE_DIR "/assets/flights";
   const Flight flight = readVidFile((folder / "pyramid.vid").string()).value();
-  auto scene = readSceneFile(sceneFilePath(folder, flight.scene.at(0).file)).value();
-  return inputOf(flight, std::make_shared<const SceneGeometry>(std::move(scene)));
+  return inputOf(flight, readSceneFile(sceneFilePath(folder, flight.scene.at(0).file)).value());
 }
 
 // A path that wanders through the cube, and as many edges of a scene.
@@ -91,16 +91,16 @@ ViewportInput wandering(std::size_t keys, std::size_t edges) {
   }
   Flight flight;
   flight.keys = KeyList(std::move(list));
-  auto scene = std::make_shared<SceneGeometry>();
+  SceneGeometry scene;
   for (std::size_t i = 0; i < edges; ++i) {
     const Vec3 at = random();
-    scene->positions.push_back(at);
-    scene->positions.push_back(at + 0.1 * random());
+    scene.positions.push_back(at);
+    scene.positions.push_back(at + 0.1 * random());
     const auto index = static_cast<std::uint32_t>(2 * i);
-    scene->edges.push_back({index, index + 1});
+    scene.edges.push_back({index, index + 1});
   }
-  finishScene(*scene);
-  return inputOf(flight, std::move(scene));
+  finishScene(scene);
+  return inputOf(flight, scene);
 }
 
 // One step of dragging the current key: the edit, its evaluation, the list.
