@@ -224,6 +224,11 @@ void places(Ui& ui, const Rect& row, const Session& session, ChooserMemory& memo
 void list(Ui& ui, const Rect& box, ChooserMemory& memory, Actions& actions) {
   ui.fill(box, ColourRole::kField, 3.0f);
   ui.edge(box);
+  if (memory.entries.empty()) {
+    ui.text({box.x + ui.px(8), box.y, box.width - ui.px(16), ui.px(kRow)},
+            ui.tell(Text("chooser.nothing-fits", {memory.filter})),
+            {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+  }
   ImGui::SetCursorScreenPos({box.x, box.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   // Another folder begins at its top.
@@ -329,6 +334,7 @@ void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
   }
   ImGui::PopItemWidth();
   ImGui::PopStyleVar();
+  ui.outline(box, ColourRole::kText, 3.0f);  // as of every field that is typed into
 }
 
 // What is wrong, the question whether to overwrite, or nothing; and the two buttons.
