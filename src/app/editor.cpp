@@ -207,6 +207,7 @@ bool Editor::Parts::pass(const FrameInput& given) {
   Actions actions;
   Ui ui(uiSetting());
   overViewport = overCamera = false;
+  scenes = session.scenes();
   window(ui, actions);
   // A field whose panel is gone is not being typed into.
   if (!memory.editing.empty() && registry.find(memory.editing) == nullptr) memory.editing.clear();

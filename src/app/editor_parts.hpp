@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/editor.hpp"
 #include "app/flight_pictures.hpp"
@@ -48,6 +49,7 @@ struct Editor::Parts {
   Session session;
   std::optional<ImguiRenderer> imguiRenderer;
   std::unique_ptr<FlightPictures> pictures;
+  std::vector<SharedDrawable> scenes;  // of both pictures, as far as they have been read
   FlightGraphs graphs;
 
   double scale = 0.0;  // 0 before the first frame

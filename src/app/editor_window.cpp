@@ -133,8 +133,7 @@ void Editor::Parts::rightPanels(Ui& ui, Stack& column, Actions& actions) {
   const Rect picture = cameraPanel(ui, column, session, actions);
   const bool film = !session.view().swapped;
   pictureArea(ui, picture, film, true);
-  pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, session.scenes(),
-                   viewportState());
+  pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, scenes, viewportState());
   if (film && session.freeCamera()) freeViewSign(ui, picture);
   spherePanel(ui, column, session, graphs, actions);
   measuresPanel(ui, column, session, graphs);
@@ -195,7 +194,7 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
       const auto [size, turn, tilt] = sliderPlaces(ui, rect);
       for (const Rect& box : {size, turn, tilt}) cover(box);
     }
-    pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, session.scenes(), state);
+    pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, scenes, state);
     if (bare) return;
     if (sliders) {
       if (const auto next = viewportSliders(ui, rect, session)) actions.view = next;

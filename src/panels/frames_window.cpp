@@ -83,13 +83,9 @@ std::string amount(const Ui& ui, const Session& session) {
 }
 
 void progress(Ui& ui, const Rect& box, const FrameJob& job) {
-  const double share = std::clamp(job.share(), 0.0, 1.0);
-  const std::string words = ui.tell(Text("frames.progress", {std::floor(100.0 * share)}));
   const float thick = ui.px(6);
   const Rect track{box.x, std::round(box.centreY() - thick / 2), box.width - ui.px(60), thick};
-  ui.fill(track, ColourRole::kSliderTrack, 3.0f);
-  ui.fill({track.x, track.y, std::round(track.width * static_cast<float>(share)), thick},
-          ColourRole::kSlider, 3.0f);
+  const std::string words = progressBar(ui, track, job.share());
   ui.text({track.right(), box.y, ui.px(60), box.height}, words, {.align = Align::kRight});
   ui.shows("frames/progress", box, words);
 }

@@ -18,6 +18,10 @@ void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
 void commandButton(Ui& ui, std::string_view id, const Rect& rect, std::string_view command,
                    const Session& session, Actions& actions, ButtonStyle style = {});
 
+// How far long work is: a bar filled to `share` (cut to 0 to 1). Gives back the words for it, "43
+// %".
+std::string progressBar(Ui& ui, const Rect& track, double share);
+
 // A row whose label stands left of three columns that are in line over all panels.
 struct ThreeColumns {
   Rect label;

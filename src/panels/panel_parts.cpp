@@ -17,6 +17,15 @@ void commandButton(Ui& ui, std::string_view id, const Rect& rect, std::string_vi
   if (auto parsed = parseCommand(command)) actions.run(std::move(*parsed));
 }
 
+std::string progressBar(Ui& ui, const Rect& track, double share) {
+  const double done = std::clamp(share, 0.0, 1.0);
+  const float radius = 0.5f * track.height / ui.scale();
+  ui.fill(track, ColourRole::kSliderTrack, radius);
+  ui.fill({track.x, track.y, std::round(track.width * static_cast<float>(done)), track.height},
+          ColourRole::kSlider, radius);
+  return ui.tell(Text("frames.progress", {std::floor(100.0 * done)}));
+}
+
 ThreeColumns threeColumns(const Ui& ui, const Rect& row) {
   ThreeColumns result;
   const float gap = ui.px(4);

@@ -56,8 +56,6 @@ void readingSign(Ui& ui, const Rect& viewport, const Session& session, Actions& 
   const std::string words =
       ui.tell(reading->files == 1 ? Text("view.reading", {reading->file})
                                   : Text("view.reading-more", {reading->file, reading->files - 1}));
-  const std::string share =
-      ui.tell(Text("frames.progress", {std::floor(100.0 * std::clamp(reading->share, 0.0, 1.0))}));
   const float pad = ui.px(8), button = ui.px(96), number = ui.px(52);
   const float most = viewport.width - 2 * pad;
   const float width =
@@ -70,12 +68,9 @@ void readingSign(Ui& ui, const Rect& viewport, const Session& session, Actions& 
   const Rect stop{box.right() - pad - button, box.y + ui.px(7), button, ui.px(26)};
   const Rect label{box.x + pad, box.y + ui.px(6), stop.x - box.x - number - 3 * pad, ui.px(20)};
   ui.text(label, words, {.mayShorten = true});
+  const Rect track{label.x, box.bottom() - ui.px(11), label.width + pad + number, ui.px(4)};
+  const std::string share = progressBar(ui, track, reading->share);
   ui.text({label.right() + pad, label.y, number, label.height}, share, {.align = Align::kRight});
-  const float thick = ui.px(4);
-  const Rect track{label.x, box.bottom() - ui.px(11), label.width + pad + number, thick};
-  ui.fill(track, ColourRole::kSliderTrack, 2.0f);
-  ui.fill({track.x, track.y, std::round(track.width * static_cast<float>(reading->share)), thick},
-          ColourRole::kSlider, 2.0f);
   ui.shows("view/reading", track, share);
   commandButton(ui, "view/stop_reading", stop, "cancel-reading", session, actions);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Any lines as commands of a session: after each the flight is valid, undoing all gives the start
 // and redoing all the end, byte for byte. Commands that reach for files are left out.
-#include <algorithm>
 #include <array>
 
 #include "edit/command_table.hpp"
@@ -82,9 +81,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string_view text = asText(data, size);
   vides::Session session;
   for (int line = 0; !text.empty() && line < kMostLines; ++line) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    run(session, text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    run(session, takeLine(text));
   }
   backAndForth(session);
   return 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a script of `vides drive`, and its lines as commands: refused with a sentence, or
 // read, and then said again in the same words.
-#include <algorithm>
 #include <cmath>
 
 #include "app/drive/script.hpp"
@@ -89,9 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   checkScript(text);
   checkCommand(text);
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    checkCommand(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    checkCommand(takeLine(text));
   }
   return 0;
 }
