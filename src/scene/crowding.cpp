@@ -18,13 +18,18 @@ constexpr double kFull = 1.85;
 constexpr double kGone = 1.35;
 constexpr double kLeastShare = 0.3;
 
+// Weights are whole multiples of a power of two, so that sums of their products are exact: what
+// was added can be taken away again.
+constexpr double kWeightSteps = 8192.0;
+
 // Weights of four cells in a row for a place `t` of the way, 0 to 1, from the second to the third.
-void weights(double t, float (&w)[4]) {
+void weights(double t, double (&w)[4]) {
+  const auto rounded = [](double v) { return std::nearbyint(v * kWeightSteps) / kWeightSteps; };
   const double u = 1.0 - t;
-  w[0] = static_cast<float>(u * u * u / 6.0);
-  w[1] = static_cast<float>((4.0 + t * t * (3.0 * t - 6.0)) / 6.0);
-  w[3] = static_cast<float>(t * t * t / 6.0);
-  w[2] = 1.0f - w[0] - w[1] - w[3];
+  w[0] = rounded(u * u * u / 6.0);
+  w[1] = rounded((4.0 + t * t * (3.0 * t - 6.0)) / 6.0);
+  w[3] = rounded(t * t * t / 6.0);
+  w[2] = 1.0 - w[0] - w[1] - w[3];
 }
 
 }  // namespace
@@ -35,7 +40,10 @@ void Crowding::begin(const PixelRectangle& area, double cell) {
   // Two cells more on each side: a sign outside may reach into the area.
   columns_ = static_cast<std::size_t>(area.width * perCell_) + 5;
   rows_ = static_cast<std::size_t>(area.height * perCell_) + 5;
-  cells_.assign(columns_ * rows_, 0.0f);
+  cells_.assign(columns_ * rows_, 0.0);
+  changed_.assign(columns_ * rows_, 0);
+  allChanged_ = true;
+  anyChanged_ = false;
 }
 
 bool Crowding::spread(const Vec2& pixel, Spread& result) const {
@@ -45,34 +53,63 @@ bool Crowding::spread(const Vec2& pixel, Spread& result) const {
     return false;
   }
   const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
-  result.first = (row - 1) * columns_ + column - 1;
+  result.column = column - 1;
+  result.row = row - 1;
   weights(x - static_cast<double>(column), result.x);
   weights(y - static_cast<double>(row), result.y);
   return true;
 }
 
-void Crowding::add(const Vec2& pixel) {
+void Crowding::change(const Vec2& pixel, double sign) {
   Spread s;
   if (!spread(pixel, s)) return;
   for (std::size_t j = 0; j < 4; ++j) {
-    float* cells = cells_.data() + s.first + j * columns_;
-    for (std::size_t i = 0; i < 4; ++i) cells[i] += s.y[j] * s.x[i];
+    double* cells = cells_.data() + (s.row + j) * columns_ + s.column;
+    for (std::size_t i = 0; i < 4; ++i) cells[i] += sign * s.y[j] * s.x[i];
   }
+  if (!allChanged_) mark(s.column, s.row);
+}
+
+// Four cells changed from this one on; a sign reads those from one before to two after its own.
+void Crowding::mark(std::size_t column, std::size_t row) {
+  anyChanged_ = true;
+  const std::size_t left = std::max<std::size_t>(column, 2) - 2, right = column + 5;
+  const std::size_t top = std::max<std::size_t>(row, 2) - 2, bottom = row + 5;
+  for (std::size_t y = top; y < std::min(bottom, rows_); ++y) {
+    char* const cells = changed_.data() + y * columns_;
+    std::fill(cells + left, cells + std::min(right, columns_), '\1');
+  }
+}
+
+bool Crowding::changed(const Vec2& pixel) const {
+  if (allChanged_) return true;
+  if (!anyChanged_) return false;
+  const double x = (pixel.x - area_.x) * perCell_ + 2.0, y = (pixel.y - area_.y) * perCell_ + 2.0;
+  if (!(x >= 0.0 && y >= 0.0 && x < static_cast<double>(columns_) &&
+        y < static_cast<double>(rows_))) {
+    return false;
+  }
+  return changed_[static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x)] != 0;
+}
+
+void Crowding::settle() {
+  if (anyChanged_) std::ranges::fill(changed_, '\0');
+  allChanged_ = anyChanged_ = false;
 }
 
 double Crowding::around(const Vec2& pixel) const {
   Spread s;
   if (!spread(pixel, s)) return 0.0;
-  float sum = 0.0f, own = 0.0f;
+  double sum = 0.0, own = 0.0;
   for (std::size_t j = 0; j < 4; ++j) {
-    const float* cells = cells_.data() + s.first + j * columns_;
+    const double* cells = cells_.data() + (s.row + j) * columns_ + s.column;
     for (std::size_t i = 0; i < 4; ++i) {
-      const float weight = s.y[j] * s.x[i];
+      const double weight = s.y[j] * s.x[i];
       sum += weight * cells[i];
       own += weight * weight;
     }
   }
-  return std::max(0.0, static_cast<double>(sum - own));
+  return std::max(0.0, sum - own);
 }
 
 double crossShare(double crowding, std::size_t number) {

@@ -21,7 +21,13 @@ class Crowding {
   // What was added before is forgotten.
   void begin(const PixelRectangle& area, double cell);
   // Signs outside the area count as far as they reach into it.
-  void add(const Vec2& pixel);
+  void add(const Vec2& pixel) { change(pixel, 1.0); }
+  // Exactly as if this one, which was added, never had been: in any order.
+  void remove(const Vec2& pixel) { change(pixel, -1.0); }
+  // Whether what around() says here may have changed since the last settle(); before the first
+  // one after begin() it always may have.
+  bool changed(const Vec2& pixel) const;
+  void settle();
   // How many others stand at a sign that was added: 0 where it stands alone, about 0.23 for each
   // at the very same place; in an even row about 0.48 of a cell by the distance, and on an even
   // surface a cell's area by that of each, less 0.23.
@@ -29,15 +35,19 @@ class Crowding {
 
  private:
   struct Spread {
-    std::size_t first;  // of four rows of four cells
-    float x[4], y[4];
+    std::size_t column, row;  // of the first of four rows of four cells
+    double x[4], y[4];
   };
   bool spread(const Vec2& pixel, Spread& result) const;
+  void change(const Vec2& pixel, double sign);
+  void mark(std::size_t column, std::size_t row);
 
   PixelRectangle area_;
   double perCell_ = 1.0;
   std::size_t columns_ = 0, rows_ = 0;
-  std::vector<float> cells_;
+  std::vector<double> cells_;
+  std::vector<char> changed_;  // for each cell: signs in it read some cell that changed
+  bool allChanged_ = true, anyChanged_ = false;
 };
 
 // The side of a cell, in radii of a cross, for which crossShare() holds.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "scene/viewport_parts.hpp"
 
@@ -67,6 +68,9 @@ void KeysPart::findAll(const ViewportContext& context) {
     if (const auto place = placeOf(context, index, key)) seen_.push_back(*place);
     ++index;
   });
+  if (cell_ == 0.0) return;
+  crowding_.begin(context.view().pixels(), cell_);
+  for (const Place& place : seen_) crowding_.add(place.pixel);
 }
 
 bool KeysPart::findChanged(const ViewportContext& context) {
@@ -83,8 +87,14 @@ bool KeysPart::findChanged(const ViewportContext& context) {
   for (const auto& change : changes) {
     for (std::size_t k = change.first; k < change.newLast; ++k) {
       auto at = std::ranges::lower_bound(seen_, k, {}, &Place::key);
-      if (at != seen_.end() && at->key == k) at = seen_.erase(at);
-      if (const auto place = placeOf(context, k, keys[k])) seen_.insert(at, *place);
+      if (at != seen_.end() && at->key == k) {
+        if (cell_ > 0.0) crowding_.remove(at->pixel);
+        at = seen_.erase(at);
+      }
+      if (const auto place = placeOf(context, k, keys[k])) {
+        if (cell_ > 0.0) crowding_.add(place->pixel);
+        seen_.insert(at, *place);
+      }
     }
   }
   return true;
@@ -97,7 +107,9 @@ void KeysPart::find(const ViewportContext& context) {
     keys_ = {};
     return;
   }
-  if (!findChanged(context)) findAll(context);
+  const bool few = context.flight().keys.size() <= kFewKeys;
+  const double cell = few ? 0.0 : kCrowdingRadii * kCrossRadius * context.handleScale();
+  if (std::exchange(cell_, cell) != cell || !findChanged(context)) findAll(context);
   keys_ = context.flight().keys;
   view_ = context.view();
   giveRoom(context);
@@ -110,19 +122,20 @@ void KeysPart::find(const ViewportContext& context) {
 }
 
 void KeysPart::giveRoom(const ViewportContext& context) {
-  for (Place& place : seen_) place.point.along = 0.0f;
-  if (context.flight().keys.size() <= kFewKeys) return;
-  const double cell = kCrowdingRadii * kCrossRadius * context.handleScale();
-  crowding_.begin(context.view().pixels(), cell);
-  for (const Place& place : seen_) crowding_.add(place.pixel);
   for (Place& place : seen_) {
-    const double share = crossShare(crowding_.around(place.pixel), place.key);
-    place.point.along = static_cast<float>(1.0 - share);
-    if (share < 1.0) crowded_ = true;
+    if (cell_ > 0.0 && crowding_.changed(place.pixel)) {
+      place.share = crossShare(crowding_.around(place.pixel), place.key);
+    }
+    place.point.along = static_cast<float>(1.0 - place.share);
+    if (place.share < 1.0) crowded_ = true;
   }
-  if (!crowded_ || !showsSelection(context)) return;
-  // Selected keys have room as long as they do not crowd each other.
-  crowdingOfSelected_.begin(context.view().pixels(), cell);
+  crowding_.settle();
+  if (crowded_ && showsSelection(context)) giveRoomToSelected(context);
+}
+
+// Selected keys have room as long as they do not crowd each other.
+void KeysPart::giveRoomToSelected(const ViewportContext& context) {
+  crowdingOfSelected_.begin(context.view().pixels(), cell_);
   const std::vector<std::size_t>& selected = context.input.state.selected;
   const auto forEachSelected = [&](const auto& use) {
     auto at = seen_.begin();

@@ -21,8 +21,8 @@ class SceneStore {
   SharedReading read(const std::filesystem::path& file);
 
   // The scenes of a flight as far as they have been read. `files` as sceneFilePath() gives them;
-  // those that are new are begun, a few at a time. A `document` other than the last one tries again
-  // what couldn't be read.
+  // those that are new are begun, a few at a time, and those that are named no more are given up. A
+  // `document` other than the last one tries again what couldn't be read.
   std::vector<SharedDrawable> scenes(const std::vector<std::filesystem::path>& files,
                                      std::int64_t document);
   // Of those scenes, the ones that turned out not to be readable; each is told once.
@@ -52,6 +52,8 @@ class SceneStore {
 
   bool waits_;
   std::vector<Known> known_;  // least recently used first
+  // Cancelled and not ended yet: to let one go waits for its end.
+  std::vector<SharedReading> leaving_;
   std::vector<std::filesystem::path> files_;
   std::int64_t document_ = -1;
   std::vector<SharedReading> refused_;

@@ -86,6 +86,7 @@ class KeysPart {
     std::size_t key;
     Vec2 pixel;
     GeometryPoint point;  // with the share by which its cross is smaller
+    double share = 1.0;   // of its full size, as the crowd of all keys leaves it
   };
   std::optional<Place> placeOf(const ViewportContext& context, std::size_t index,
                                const Key& key) const;
@@ -93,6 +94,7 @@ class KeysPart {
   // Whether what was found last holds but for a few keys; these are looked up again.
   bool findChanged(const ViewportContext& context);
   void giveRoom(const ViewportContext& context);
+  void giveRoomToSelected(const ViewportContext& context);
   void addSelected(const ViewportContext& context);
   // Whether there was a place for it; for a needed one there always is, if it is seen at all.
   bool addNumber(const ViewportContext& context, const Place& place, bool needed) const;
@@ -101,6 +103,7 @@ class KeysPart {
   // What they were found for.
   KeyList keys_;
   ViewProjection view_;
+  double cell_ = 0.0;  // of the crowding; 0: no need to look
   Crowding crowding_, crowdingOfSelected_;
   bool crowded_ = false;
   GeometrySlot crosses_, selected_, current_, hovered_;

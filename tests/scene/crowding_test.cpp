@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "math/random_view.hpp"
 
@@ -68,6 +70,37 @@ TEST(Crowding, AnyPlaceIsTaken) {
       EXPECT_GE(map.around({v, w}), 0.0);
     }
   }
+}
+
+// Moved about for long, a crowd is measured to the last bit as if it had come where it is; and what
+// is said to be as it was is so.
+TEST(Crowding, WhatIsTakenAwayLeavesNothingBehind) {
+  Random random(3);
+  const auto anywhere = [&] { return Vec2{random.between(-40, 840), random.between(-40, 640)}; };
+  std::vector<Vec2> places(500);
+  Crowding map;
+  map.begin(kArea, kCell);
+  for (Vec2& place : places) map.add(place = anywhere());
+  std::size_t kept = 0;
+  for (int round = 0; round < 50; ++round) {
+    EXPECT_TRUE(round > 0 || map.changed({400, 300}));
+    map.settle();
+    std::vector<double> before(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) before[i] = map.around(places[i]);
+    const std::size_t moved = static_cast<std::size_t>(round * 37) % places.size();
+    map.remove(places[moved]);
+    map.add(places[moved] = anywhere());
+    Crowding fresh;
+    fresh.begin(kArea, kCell);
+    for (const Vec2& place : places) fresh.add(place);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      ASSERT_EQ(map.around(places[i]), fresh.around(places[i]));
+      if (i == moved || map.changed(places[i])) continue;
+      ASSERT_EQ(map.around(places[i]), before[i]) << i;
+      ++kept;
+    }
+  }
+  EXPECT_GT(kept, 50u * 450u);  // most are far from what moved
 }
 
 TEST(CrossShare, WholeWhereThereIsRoom) {

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "support/files.hpp"
 
@@ -100,6 +102,44 @@ TEST_F(SceneStoreTest, ReadingCanBeStopped) {
   store.scenes({large}, 2);
   EXPECT_EQ(store.reading().size(), 1u);
 }  // going away stops it
+
+TEST_F(SceneStoreTest, WhatIsNamedNoMoreIsGivenUp) {
+  SceneStore store(false);
+  const fs::path large = writeLarge("large.obj");
+  store.scenes({large}, 1);
+  const std::weak_ptr<SceneReading> first = store.reading().at(0);
+  store.scenes({}, 1);  // undone
+  EXPECT_TRUE(store.reading().empty());
+  store.scenes({large}, 1);  // and done again: begun anew, and nobody is told of the first
+  ASSERT_EQ(store.reading().size(), 1u);
+  EXPECT_NE(store.reading()[0], first.lock());
+  store.reading()[0]->wait();
+  EXPECT_EQ(store.scenes({large}, 1).size(), 1u);
+  EXPECT_TRUE(store.takeRefused().empty());
+  EXPECT_TRUE(first.expired() || first.lock()->ended());
+
+  // Stopped by hand, too, it is tried again when it is named again.
+  test::writeAll(large, test::readAll(large) + "# changed\n");
+  store.scenes({large}, 2);
+  store.cancel();
+  for (const SharedReading& reading : store.reading()) reading->wait();
+  store.scenes({large}, 2);
+  EXPECT_EQ(store.takeRefused().size(), 1u);
+  store.scenes({}, 2);
+  store.scenes({large}, 2);
+  EXPECT_EQ(store.reading().size(), 1u);
+}
+
+// An import waits for what the flight doesn't name yet, however many others come and go.
+TEST_F(SceneStoreTest, WhatAnImportWaitsForGoesOn) {
+  SceneStore store(false);
+  const fs::path large = writeLarge("large.obj");
+  const SharedReading import = store.read(large);
+  for (int i = 0; i < 8; ++i) store.scenes({write(std::to_string(i) + ".obj", kTriangle)}, 1);
+  import->wait();
+  EXPECT_TRUE(*import->result());
+  EXPECT_EQ(store.read(large), import);
+}
 
 TEST_F(SceneStoreTest, ManyFilesAreReadAFewAtATime) {
   SceneStore store(false);
