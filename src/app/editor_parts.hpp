@@ -107,8 +107,8 @@ struct Editor::Parts {
   void window(Ui& ui, Actions& actions);
   void arrange(Ui& ui, const Rect& all, Actions& actions);
   void leftColumn(Ui& ui, const Rect& rect, bool both, Actions& actions);
-  void leftPanels(Ui& ui, Stack& column, Actions& actions);
-  void rightPanels(Ui& ui, Stack& column, Actions& actions);
+  void leftPanels(Ui& ui, Stack& column, float bottom, Actions& actions);
+  void rightPanels(Ui& ui, Stack& column, float bottom, Actions& actions);
   void rightColumn(Ui& ui, const Rect& rect, Actions& actions);
   struct Caption {
     Rect box;
@@ -124,6 +124,8 @@ struct Editor::Parts {
   void splitters(Ui& ui, const Rect& all, const Rect& left, const Rect& right,
                  const Rect& timelineRect, bool both, Actions& actions);
   ViewportState viewportState() const;
+  OutputLine outputLine() const;
+  static Rect filmRoom(const Ui& ui, const Rect& rect);
 };
 
 }  // namespace vides

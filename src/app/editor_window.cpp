@@ -23,6 +23,11 @@ constexpr float kLeastViewport = 160.0f;
 constexpr float kLeastLeft = 240.0f;
 constexpr float kLeastRight = 216.0f;
 constexpr float kSplitter = 6.0f;
+constexpr float kLeastForWords = 200.0f;
+constexpr double kPlate = 0.7;  // of a text over the picture
+// In a large window.
+constexpr float kRightShare = 0.2f, kMostRight = 400.0f;
+constexpr float kTimelineShare = 0.17f, kMostTimeline = 220.0f;
 
 // A region of the window with a scroll bar where it is too low for what it holds.
 void region(const char* id, const Rect& rect, const std::function<void(Rect)>& content) {
@@ -43,12 +48,14 @@ void endStack(const Stack& stack, float top) {
   ImGui::Dummy({1.0f, std::max(1.0f, stack.y() - top)});
 }
 
-// In a low window the columns need the room more, unless the user has chosen a height.
+// In a low window the columns need the room more, in a high one there is enough; unless the user
+// has chosen a height.
 float timelineHeight(const Ui& ui, const Layout& layout, float height) {
   constexpr float kLeast = 128.0f;
   constexpr float kShare = 0.2f;
-  const float wanted = ui.px(layout.timeline);
+  float wanted = ui.px(layout.timeline);
   if (layout.timeline != Layout().timeline) return std::min(wanted, height * 0.5f);
+  wanted = std::clamp(std::round(kTimelineShare * height), wanted, ui.px(kMostTimeline));
   const float low = std::max(ui.px(kLeast), std::round(height * kShare));
   return std::min({wanted, low, height * 0.5f});
 }
@@ -61,7 +68,10 @@ struct ColumnWidths {
 };
 ColumnWidths columnWidths(const Ui& ui, const Layout& layout, float width) {
   const float left = layout.leftShown ? ui.px(layout.left) : 0.0f;
-  const float right = layout.rightShown ? ui.px(layout.right) : 0.0f;
+  // Unless the user has chosen a width, what the camera sees grows with the window.
+  const bool chosen = layout.right != Layout().right;
+  const float wide = std::clamp(kRightShare * width, ui.px(layout.right), ui.px(kMostRight));
+  const float right = !layout.rightShown ? 0.0f : chosen ? ui.px(layout.right) : std::round(wide);
   const float spare = std::max(0.0f, width - ui.px(kLeastViewport));
   const float least = std::min(left, ui.px(kLeastLeft)) + std::min(right, ui.px(kLeastRight));
   if (left > 0.0f && right > 0.0f && spare < least) {
@@ -70,6 +80,11 @@ ColumnWidths columnWidths(const Ui& ui, const Layout& layout, float width) {
   }
   const float share = std::min(1.0f, spare / std::max(1.0f, left + right));
   return {std::floor(left * share), std::floor(right * share), false};
+}
+
+// Room for words beside what is drawn.
+bool roomy(const Ui& ui, const Rect& rect) {
+  return std::min(rect.width, rect.height) >= ui.px(kLeastForWords);
 }
 
 Rect below(const Rect& rect, float height) {
@@ -107,16 +122,17 @@ void Editor::Parts::leftColumn(Ui& ui, const Rect& rect, bool both, Actions& act
   region("###left", rect, [&](const Rect& room) {
     const float pad = ui.px(8);
     Stack column(ui, room.x + pad, room.y + pad, rect.width - 2 * pad);
-    leftPanels(ui, column, actions);
-    if (both) rightPanels(ui, column, actions);
+    const float bottom = room.y + rect.height;
+    leftPanels(ui, column, both ? column.y() : bottom, actions);
+    if (both) rightPanels(ui, column, column.y() + rect.height, actions);
     endStack(column, room.y);
   });
 }
 
-void Editor::Parts::leftPanels(Ui& ui, Stack& column, Actions& actions) {
+void Editor::Parts::leftPanels(Ui& ui, Stack& column, float bottom, Actions& actions) {
   positionPanel(ui, column, session, actions);
   orientationPanel(ui, column, session, actions);
-  speedPanel(ui, column, session, actions);
+  speedPanel(ui, column, bottom - zoomPanelHeight(ui), session, actions);
   zoomPanel(ui, column, session, actions);
 }
 
@@ -124,18 +140,18 @@ void Editor::Parts::rightColumn(Ui& ui, const Rect& rect, Actions& actions) {
   region("###right", rect, [&](const Rect& room) {
     const float pad = ui.px(8);
     Stack column(ui, room.x + pad, room.y + pad, rect.width - 2 * pad);
-    rightPanels(ui, column, actions);
+    rightPanels(ui, column, room.y + rect.height, actions);
     endStack(column, room.y);
   });
 }
 
-void Editor::Parts::rightPanels(Ui& ui, Stack& column, Actions& actions) {
+void Editor::Parts::rightPanels(Ui& ui, Stack& column, float bottom, Actions& actions) {
   const Rect picture = cameraPanel(ui, column, session, actions);
   const bool film = !session.view().swapped;
   pictureArea(ui, picture, film, true);
   pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, scenes, viewportState());
   if (film && session.freeCamera()) freeViewSign(ui, picture);
-  spherePanel(ui, column, session, graphs, actions);
+  spherePanel(ui, column, bottom - measuresPanelHeight(ui), session, graphs, actions);
   measuresPanel(ui, column, session, graphs);
 }
 
@@ -144,7 +160,9 @@ void Editor::Parts::rightPanels(Ui& ui, Stack& column, Actions& actions) {
 void Editor::Parts::pointerSigns(Ui& ui) {
   const auto box = tools.box();
   const auto note = tools.note(time);
-  const Text text = note ? note->text : tools.drag() ? Text() : tools.hint();
+  // In a picture as small as that a hint would hide what it is about.
+  const bool hints = !tools.drag() && roomy(ui, pictures->flightRect());
+  const Text text = note ? note->text : hints ? tools.hint() : Text();
   if (!box && text.empty()) return;
   ImGui::SetNextWindowPos({0.0f, 0.0f});
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
@@ -184,7 +202,9 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
     const bool film = session.view().swapped;
     const bool bare = session.layout().bare;
     const bool sliders = !film && !bare && session.display().sliders && roomForSliders(ui, rect);
-    const Caption caption = film || bare ? Caption() : viewportCaption(ui, rect, sliders);
+    // Not over what is being dragged, nor in a picture that it would fill.
+    const bool captioned = !film && !bare && !tools.drag() && roomy(ui, rect);
+    const Caption caption = captioned ? viewportCaption(ui, rect, sliders) : Caption();
     ViewportState state = viewportState();
     const auto cover = [&](const Rect& box) {
       state.covered.push_back({box.x, box.y, box.width, box.height});
@@ -194,13 +214,17 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
       const auto [size, turn, tilt] = sliderPlaces(ui, rect);
       for (const Rect& box : {size, turn, tilt}) cover(box);
     }
-    pictures->viewport(ui, *ImGui::GetWindowDrawList(), rect, session, scenes, state);
+    pictures->viewport(ui, *ImGui::GetWindowDrawList(), film ? filmRoom(ui, rect) : rect, session,
+                       scenes, state);
     if (bare) return;
     if (sliders) {
       if (const auto next = viewportSliders(ui, rect, session)) actions.view = next;
     }
     if (film) filmText(ui, rect);
     if (!caption.words.empty()) {
+      const float air = ui.px(4);
+      ui.fill({caption.box.x - air, caption.box.y, caption.box.width + 2 * air, caption.box.height},
+              ColourRole::kViewportTop, 3.0f, kPlate);
       ui.text(caption.box, caption.words, {.colour = ColourRole::kTextSecondary});
     }
     readingSign(ui, rect, session, actions);
@@ -226,11 +250,19 @@ Editor::Parts::Caption Editor::Parts::viewportCaption(const Ui& ui, const Rect& 
                              ui.number(view.tilt, 0) + "\u00b0";
   const float left = rect.x + ui.px(14);
   const float right = sliders ? sliderPlaces(ui, rect).size.x - ui.px(8) : rect.right() - ui.px(14);
-  for (const std::string& label : {name + " \u00b7 " + angles, angles, name}) {
+  const std::string bare =
+      ui.number(view.turn, 0) + "\u00b0 \u00b7 " + ui.number(view.tilt, 0) + "\u00b0";
+  for (const std::string& label : {name + " \u00b7 " + angles, name + " \u00b7 " + bare, name}) {
     const float width = ui.textWidth(label);
     if (left + width <= right) return {{left, rect.y + ui.px(10), width, ui.px(20)}, label};
   }
   return {};
+}
+
+// What the camera sees keeps clear of the columns and of its caption.
+Rect Editor::Parts::filmRoom(const Ui& ui, const Rect& rect) {
+  const float air = std::min({ui.px(8), 0.1f * rect.width, 0.1f * rect.height});
+  return {rect.x + air, rect.y + air, rect.width - 2 * air, rect.height - 2 * air};
 }
 
 // The same for what the camera sees, where it has the viewport's place.
@@ -238,7 +270,7 @@ void Editor::Parts::filmText(Ui& ui, const Rect& rect) {
   ui.text({rect.x + ui.px(14), rect.y + ui.px(10), rect.width - ui.px(28), ui.px(20)},
           ui.words("panel/camera") + " \u00b7 " + cameraCaption(ui, session),
           {.colour = ColourRole::kTextSecondary, .mayShorten = true});
-  if (session.freeCamera()) freeViewSign(ui, rect);
+  if (session.freeCamera()) freeViewSign(ui, filmRoom(ui, rect));
 }
 
 // A free view has a frame and a sign in the picture's corner.
@@ -289,6 +321,13 @@ void Editor::Parts::splitters(Ui& ui, const Rect& all, const Rect& left, const R
   if (next != layout) actions.layout = next;
 }
 
+// A drag's numbers, unless something is wrong.
+OutputLine Editor::Parts::outputLine() const {
+  const OutputLine said = session.output();
+  if (said.kind == MessageKind::kRefusal || said.kind == MessageKind::kError) return said;
+  return tools.output().value_or(said);
+}
+
 void Editor::Parts::window(Ui& ui, Actions& actions) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.0f, 0.0f});
@@ -307,7 +346,7 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   float top = menu;
   if (!session.layout().bare) {
-    top += menuBar(ui, session, session.layout(), actions);
+    top += menuBar(ui, session, outputLine(), session.layout(), actions);
   }
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
@@ -345,10 +384,10 @@ void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {
     });
   }
   const float line = std::max(1.0f, ui.px(1));
-  ui.fill({left.right(), all.y, layout.leftShown ? line : 0.0f, middle}, ColourRole::kWindow);
+  ui.fill({left.right(), all.y, layout.leftShown ? line : 0.0f, middle}, ui.divider());
   ui.fill({right.x - line, all.y, layout.rightShown && !widths.both ? line : 0.0f, middle},
-          ColourRole::kWindow);
-  ui.fill({all.x, timelineRect.y, all.width, bar > 0.0f ? line : 0.0f}, ColourRole::kWindow);
+          ui.divider());
+  ui.fill({all.x, timelineRect.y, all.width, bar > 0.0f ? line : 0.0f}, ui.divider());
   splitters(ui, all, left, right, timelineRect, widths.both, actions);
 }
 

@@ -10,6 +10,8 @@
 namespace vides {
 namespace {
 
+constexpr int kRimOpacity = 200;  // of 255
+
 using Scenes = std::vector<SharedDrawable>;
 
 PixelRectangle pixels(const Rect& rect) {
@@ -44,6 +46,8 @@ ViewportInput viewportInput(const Ui& ui, const Session& session, const Scenes& 
   input.rectangle = pixels(rect);
   input.contentScale = static_cast<double>(ui.scale());
   input.text.aim = ui.words("view/aim");
+  input.text.aimWidth = static_cast<double>(ui.textWidth(input.text.aim));
+  input.text.upWidth = static_cast<double>(ui.textWidth(input.text.up));
   input.text.digitWidth = static_cast<double>(ui.textWidth("0"));
   input.text.letterWidth = static_cast<double>(ui.textWidth("n"));
   input.text.lineHeight = static_cast<double>(ui.font(Weight::kRegular)->FontSize);
@@ -60,10 +64,20 @@ void addTexts(const Ui& ui, ImDrawList& list, const DrawList& picture) {
   for (const DrawText& text : picture.texts) {
     const ImFont* font = ui.font(text.strong ? Weight::kSemibold : Weight::kRegular);
     const Colour& c = text.colour;
-    list.AddText(font, font->FontSize,
-                 {std::round(static_cast<float>(text.pixel.x)),
-                  std::round(static_cast<float>(text.pixel.y))},
-                 IM_COL32(c.red, c.green, c.blue, c.alpha), text.text.c_str());
+    const ImVec2 at(std::round(static_cast<float>(text.pixel.x)),
+                    std::round(static_cast<float>(text.pixel.y)));
+    if (text.haloed) {
+      const Colour ground = mix(picture.groundTop, picture.groundBottom, 0.5);
+      const ImU32 rim = IM_COL32(ground.red, ground.green, ground.blue, kRimOpacity);
+      const float wide = std::max(1.0f, std::round(1.5f * ui.scale()));
+      for (const ImVec2& way : {ImVec2(-1, -1), ImVec2(1, -1), ImVec2(-1, 1), ImVec2(1, 1),
+                                ImVec2(0, -1), ImVec2(0, 1), ImVec2(-1, 0), ImVec2(1, 0)}) {
+        list.AddText(font, font->FontSize, {at.x + wide * way.x, at.y + wide * way.y}, rim,
+                     text.text.c_str());
+      }
+    }
+    list.AddText(font, font->FontSize, at, IM_COL32(c.red, c.green, c.blue, c.alpha),
+                 text.text.c_str());
   }
 }
 

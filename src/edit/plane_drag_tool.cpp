@@ -57,6 +57,12 @@ std::optional<Axis> PlaneDragTool::constant() const {
   return constraint_ == Constraint::kPlane ? axis_ : button_;
 }
 
+Text PlaneDragTool::way() const {
+  const std::optional<Axis> kept = constant();
+  const char letter = "xyz"[static_cast<int>(kept.value_or(axis_))];
+  return std::string(kept ? "hint.plane." : "drag.along.") + letter;
+}
+
 bool PlaneDragTool::moves(int coordinate) const {
   const auto axis = static_cast<Axis>(coordinate);
   return constraint_ == Constraint::kAxis ? axis == axis_ : axis != *constant();

@@ -37,6 +37,7 @@ class PlaneDragTool {
   // Where the dragged point is for a pointer, and what it moves in: for drawing.
   tl::expected<Vec3, DragRefusal> pointAt(const Vec2& pointer) const;
   std::optional<Axis> constant() const;  // nothing while it moves along one axis
+  Text way() const;                      // the same in words
   // Its name in "Undo …".
   Text step() const;
 

@@ -14,8 +14,6 @@
 namespace vides {
 namespace {
 
-Text pointText(const Vec3& p) { return Text("output.point", {p.x, p.y, p.z}); }
-
 // Everything but the keys, with two keys that are valid.
 std::vector<Problem> checkAllButKeys(const Flight& flight) {
   Flight rest = flight;
@@ -113,7 +111,7 @@ bool Session::execute(const Command& command) {
 
 bool Session::available(std::string_view name) const {
   const CommandSpecification* command = findCommand(name);
-  return command != nullptr && !obstacle(Command(command->name));
+  return command != nullptr && (command->available == nullptr || command->available(*this));
 }
 
 std::optional<Text> Session::obstacle(const Command& command) const {
@@ -323,17 +321,20 @@ Camera Session::camera() const {
 
 // --- What is told ---
 
+Text Session::pointText(const Vec3& place) const {
+  const Vec3 p = display_.units == Units::kScene ? state_.flight.space.toWorld(place) : place;
+  return Text("output.point", {p.x, p.y, p.z});
+}
+
 OutputLine Session::output() const {
   if (!output_.text.empty()) return output_;
   const Key& key = currentKey();
   const Orientation& o = currentOrientation();
-  const auto shown = [&](const Vec3& p) {
-    return pointText(display_.units == Units::kScene ? state_.flight.space.toWorld(p) : p);
-  };
   return {MessageKind::kNumbers,
-          Text("output.numbers", {current().key + 1, state_.flight.keys.size(),
-                                  current().orientation + 1, key.orientations.size(),
-                                  shown(key.position), shown(aimPoint(key, o)), o.roll, o.zoom})};
+          Text("output.numbers",
+               {current().key + 1, state_.flight.keys.size(), current().orientation + 1,
+                key.orientations.size(), pointText(key.position), pointText(aimPoint(key, o)),
+                o.roll, o.zoom})};
 }
 
 std::optional<Text> Session::undoName() const {

@@ -44,7 +44,7 @@ enum class MessageKind {
 };
 struct OutputLine {
   MessageKind kind = MessageKind::kNumbers;
-  Text text;
+  Text text;  // where there is less room: of the same key with #short, #shorter, #shortest
   bool operator==(const OutputLine&) const = default;
 };
 
@@ -92,6 +92,7 @@ class Session {
   // commands that edit are refused; in a window's gesture they end its step first.
   bool execute(const Command& command);
   bool execute(std::string_view line);  // as after `do` in a script
+  // Whether it could do something; not whether a drag or a question must end before it.
   bool available(std::string_view command) const;
 
   // One gesture, one step: begin() at the press, preview() as often as wanted, each computed from
@@ -187,6 +188,8 @@ class Session {
 
   // The output line: the last message, else the current numbers.
   OutputLine output() const;
+  // A place in the cube, in the units that are chosen.
+  Text pointText(const Vec3& place) const;
   void say(MessageKind kind, Text text);
 
   const std::optional<Question>& question() const { return question_; }

@@ -313,6 +313,19 @@ std::optional<DragDisplay> ViewportTools::drag() const {
   return DragDisplay{*point, press_->tool->constant()};
 }
 
+std::optional<OutputLine> ViewportTools::output() const {
+  if (!press_ || !press_->dragging) return std::nullopt;
+  if (press_->doing == Doing::kUp) {
+    return OutputLine{MessageKind::kNumbers,
+                      Text("output.drag-up", {session_.currentOrientation().roll})};
+  }
+  const std::optional<DragDisplay> shown = drag();
+  if (!shown) return std::nullopt;
+  return OutputLine{
+      MessageKind::kNumbers,
+      Text("output.drag-point", {press_->tool->way(), session_.pointText(shown->point)})};
+}
+
 std::optional<PixelRectangle> ViewportTools::box() const {
   if (!press_ || !press_->dragging || press_->doing != Doing::kBox) return std::nullopt;
   return rectangleBetween(press_->start, press_->pointer);

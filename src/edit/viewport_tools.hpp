@@ -65,6 +65,8 @@ class ViewportTools {
   const std::optional<HandleId>& hovered() const { return hovered_; }
   std::optional<DragDisplay> drag() const;
   std::optional<PixelRectangle> box() const;
+  // Where the dragged point is and what keys do to it, or how far the VUP is turned.
+  std::optional<OutputLine> output() const;
   // What the hovered handle can do; empty without one.
   Text hint() const;
   // Nothing after its time.

@@ -13,6 +13,19 @@ namespace {
 
 constexpr float kRow = 22.0f;
 
+void cameraButtons(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
+  const Display& display = session.display();
+  auto row = split(ui, rows.row(kRow), 2);
+  commandButton(ui, "camera/use_view", row[0], "use-view", session, actions);
+  commandButton(ui, "camera/new_key", row[1], "new-key-from-view", session, actions);
+  rows.gap(4);
+  row = split(ui, rows.row(kRow), 2);
+  commandButton(ui, "camera/safe_frames", row[0], "show-element safe-frames", session, actions,
+                {.on = display.safeFrames, .toggle = true});
+  commandButton(ui, "camera/thirds", row[1], "show-element thirds", session, actions,
+                {.on = display.thirds, .toggle = true});
+}
+
 }  // namespace
 
 std::string cameraCaption(const Ui& ui, const Session& session) {
@@ -26,7 +39,6 @@ Rect cameraPanel(Ui& ui, Stack& column, const Session& session, Actions& actions
   Rect picture;
   const float top = column.y();
   const bool film = !session.view().swapped;
-  const Display& display = session.display();
   panel(ui, column, film ? "panel/camera" : "panel/viewport", [&](Stack& rows) {
     const PictureFormat& format = session.flight().picture;
     // The flight's format, but never higher than wide: the column has other panels, too.
@@ -34,23 +46,22 @@ Rect cameraPanel(Ui& ui, Stack& column, const Session& session, Actions& actions
     const double height = rows.width() * std::clamp(proportion, 0.2, 0.75);
     picture = rows.row(static_cast<float>(std::round(height / ui.scale())));
     ui.fill(picture, ColourRole::kPicture);
-    rows.gap(8);
-    auto row = split(ui, rows.row(kRow), 2);
-    commandButton(ui, "camera/use_view", row[0], "use-view", session, actions);
-    commandButton(ui, "camera/new_key", row[1], "new-key-from-view", session, actions);
-    rows.gap(4);
-    row = split(ui, rows.row(kRow), 2);
-    commandButton(ui, "camera/safe_frames", row[0], "show-element safe-frames", session, actions,
-                  {.on = display.safeFrames, .toggle = true});
-    commandButton(ui, "camera/thirds", row[1], "show-element thirds", session, actions,
-                  {.on = display.thirds, .toggle = true});
+    ui.outline({picture.x - 1.0f, picture.y - 1.0f, picture.width + 2.0f, picture.height + 2.0f},
+               ColourRole::kTextDisabled, 0.0f, 1.0f);
+    if (film) {
+      rows.gap(8);
+      cameraButtons(ui, rows, session, actions);
+    }
   });
-  if (film) {
-    const Rect heading{column.x() + ui.px(8), top + ui.px(4), column.width() - ui.px(16),
-                       ui.px(24)};
-    ui.text(heading, cameraCaption(ui, session),
-            {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
-  }
+  // What the buttons change stands in the middle then.
+  const float bottom = column.y();
+  if (!film)
+    panel(ui, column, "panel/camera",
+          [&](Stack& rows) { cameraButtons(ui, rows, session, actions); });
+  const Rect heading{column.x() + ui.px(8), (film ? top : bottom) + ui.px(4),
+                     column.width() - ui.px(16), ui.px(24)};
+  ui.text(heading, cameraCaption(ui, session),
+          {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
   return picture;
 }
 

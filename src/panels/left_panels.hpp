@@ -11,8 +11,10 @@ namespace vides {
 // Each adds itself to the column and what the user asks for to the actions.
 void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
 void orientationPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
-void speedPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+// Its curve is as high as there is room above `bottom`.
+void speedPanel(Ui& ui, Stack& column, float bottom, const Session& session, Actions& actions);
 void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+float zoomPanelHeight(const Ui& ui);
 
 // A button that runs a command, given as its line; greyed where the session can't.
 void commandButton(Ui& ui, std::string_view id, const Rect& rect, std::string_view command,
@@ -28,13 +30,13 @@ struct ThreeColumns {
   Rect values[3];
 };
 ThreeColumns threeColumns(const Ui& ui, const Rect& row);
+// The same for three numbers; in a column too narrow for them the label stands above.
+ThreeColumns threeNumbers(const Ui& ui, Stack& rows);
 // The current key's place (the aim's) in the fields AREA/x, y, z (AREA/aim_x …), in the units that
 // are chosen: the command for what was typed.
 std::optional<Command> positionFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
                                       const Session& session, Actions& actions);
 std::optional<Command> aimFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
                                  const Session& session, Actions& actions);
-// As many decimals (at most 3) as fit.
-int fittingDecimals(const Ui& ui, const Rect& box, double value, int most);
 
 }  // namespace vides

@@ -108,8 +108,21 @@ void entries(Ui& ui, const Menu& menu, const Session& session, const Layout& lay
   }
 }
 
+// As it is, or the first of its shorter forms that has room.
+std::string fitting(const Ui& ui, Text text, float room) {
+  std::string words = ui.tell(text);
+  const std::string key = text.key;
+  for (const char* form : {"#short", "#shorter", "#shortest"}) {
+    if (ui.textWidth(words) <= room || ui.words(key + form).empty()) break;
+    text.key = key + form;
+    words = ui.tell(text);
+  }
+  return words;
+}
+
 // The file's name at the right of the bar; the output line before it, or in a row of its own.
-void outputLine(Ui& ui, const Rect& bar, const Rect& row, const Session& session) {
+void outputLine(Ui& ui, const Rect& bar, const Rect& row, const Session& session,
+                const OutputLine& output) {
   const float pad = ui.px(12);
   // The file's name and whether it is saved; the window's title says so in words of its own.
   const std::string& path = session.path();
@@ -122,13 +135,12 @@ void outputLine(Ui& ui, const Rect& bar, const Rect& row, const Session& session
   const Rect titleBox{bar.right() - pad - titleWidth, bar.y, titleWidth, bar.height};
   ui.text(titleBox, title,
           {.weight = Weight::kSemibold, .align = Align::kRight, .mayShorten = true});
-  const OutputLine output = session.output();
   const bool wrong = output.kind == MessageKind::kRefusal || output.kind == MessageKind::kError;
   const Rect box =
       own ? Rect{row.x + pad, row.y, row.width - 2 * pad, row.height}
-          : Rect{bar.x + pad, bar.y, titleBox.x - bar.x - 2 * pad - ui.px(4), bar.height};
+          : Rect{bar.x + ui.px(32), bar.y, titleBox.x - pad - ui.px(36) - bar.x, bar.height};
   if (box.width > ui.px(20)) {
-    ui.text(box, ui.tell(output.text),
+    ui.text(box, fitting(ui, output.text, box.width),
             {.colour = wrong                               ? ColourRole::kError
                        : output.kind == MessageKind::kDone ? ColourRole::kText
                                                            : ColourRole::kTextSecondary,
@@ -210,7 +222,8 @@ const std::vector<Menu>& menus() {
   return table;
 }
 
-float menuBar(Ui& ui, const Session& session, const Layout& layout, Actions& actions) {
+float menuBar(Ui& ui, const Session& session, const OutputLine& output, const Layout& layout,
+              Actions& actions) {
   if (!ImGui::BeginMenuBar()) return 0.0f;
   const ImVec2 corner = ImGui::GetWindowPos();
   const float height = ImGui::GetFrameHeight();
@@ -237,7 +250,7 @@ float menuBar(Ui& ui, const Session& session, const Layout& layout, Actions& act
   ImGui::PopStyleVar(2);
   const Rect row{corner.x, corner.y + height, width, below};
   if (below > 0.0f) ImGui::PushClipRect({row.x, row.y}, {row.right(), row.bottom()}, false);
-  outputLine(ui, {end, corner.y, corner.x + width - end, height}, row, session);
+  outputLine(ui, {end, corner.y, corner.x + width - end, height}, row, session, output);
   if (below > 0.0f) ImGui::PopClipRect();
   ImGui::EndMenuBar();
   return below;

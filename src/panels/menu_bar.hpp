@@ -25,6 +25,7 @@ struct Menu {
 const std::vector<Menu>& menus();
 
 // Inside a window's menu bar.
-float menuBar(Ui& ui, const Session& session, const Layout& layout, Actions& actions);
+float menuBar(Ui& ui, const Session& session, const OutputLine& output, const Layout& layout,
+              Actions& actions);
 
 }  // namespace vides

@@ -9,8 +9,8 @@ namespace {
 
 constexpr float kRow = 22.0f;
 
-void aimRow(Ui& ui, const Rect& row, const Session& session, Actions& actions) {
-  const ThreeColumns columns = threeColumns(ui, row);
+void aimRow(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
+  const ThreeColumns columns = threeNumbers(ui, rows);
   ui.text(columns.label, ui.words("orientation/aim"), {.colour = ColourRole::kTextSecondary});
   auto typed = aimFields(ui, "orientation", columns.values, session, actions);
   if (typed) actions.run(std::move(*typed));
@@ -43,7 +43,7 @@ void orientationPanel(Ui& ui, Stack& column, const Session& session, Actions& ac
                                  .weight = Weight::kSemibold});
     actions.typed(typed, [&](double value) { return Command("set-roll", value); });
     rows.gap(4);
-    aimRow(ui, rows.row(kRow), session, actions);
+    aimRow(ui, rows, session, actions);
     rows.gap(4);
     row = split(ui, rows.row(kRow), 2);
     const bool absolute = session.currentOrientation().aimMode == AimMode::kAbsolute;

@@ -38,13 +38,37 @@ ThreeColumns threeColumns(const Ui& ui, const Rect& row) {
   return result;
 }
 
+ThreeColumns threeNumbers(const Ui& ui, Stack& rows) {
+  constexpr float kHeight = 22.0f;
+  const Rect probe{rows.x(), rows.y(), rows.width(), ui.px(kHeight)};
+  const ThreeColumns beside = threeColumns(ui, probe);
+  const float needed =
+      ui.textWidth(ui.number(-1.0, 3), Weight::kSemibold) + 2 * Ui::kTightInset * ui.scale();
+  if (beside.values[0].width >= needed) return threeColumns(ui, rows.row(kHeight));
+  ThreeColumns above;
+  above.label = rows.row(18);
+  const std::vector<Rect> parts = split(ui, rows.row(kHeight), 3);
+  std::copy(parts.begin(), parts.end(), above.values);
+  return above;
+}
+
 namespace {
+
+// As many decimals as fit, but two at least: a field that has no room even for these goes on alone.
+int fittingDecimals(const Ui& ui, const Rect& box, double value, int most) {
+  int decimals = most;
+  const float room = box.width - 2 * Ui::kTightInset * ui.scale();
+  while (decimals > 2 && ui.textWidth(ui.number(value, decimals), Weight::kSemibold) > room) {
+    --decimals;
+  }
+  return decimals;
+}
 
 std::optional<Command> vectorFields(Ui& ui, const std::string& prefix, const Rect (&boxes)[3],
                                     const Vec3& shownAt, Actions& actions,
                                     const std::function<Command(const Vec3&)>& command) {
   std::optional<Command> result;
-  // All three with as many decimals, and as many when one of them changes its sign.
+  // All three with as many decimals if they can, and as many when one of them changes its sign.
   int decimals = 3;
   for (int axis = 0; axis < 3; ++axis) {
     decimals =
@@ -97,14 +121,6 @@ std::optional<Command> aimFields(Ui& ui, std::string_view area, const Rect (&box
                         return Command("set-aim",
                                        relative ? session.currentKey().position + cube : cube);
                       });
-}
-
-int fittingDecimals(const Ui& ui, const Rect& box, double value, int most) {
-  for (int decimals = most; decimals > 0; --decimals) {
-    if (ui.textWidth(ui.number(value, decimals), Weight::kSemibold) <= box.width - ui.px(8))
-      return decimals;
-  }
-  return 0;
 }
 
 }  // namespace vides

@@ -9,16 +9,16 @@ namespace {
 
 constexpr float kRow = 22.0f;
 
-void positionRow(Ui& ui, const Rect& row, const Session& session, Actions& actions) {
-  const ThreeColumns columns = threeColumns(ui, row);
+void positionRow(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
+  const ThreeColumns columns = threeNumbers(ui, rows);
   ui.text(columns.label, ui.words("position/place"), {.colour = ColourRole::kTextSecondary});
   auto typed = positionFields(ui, "position", columns.values, session, actions);
   if (typed) actions.run(std::move(*typed));
 }
 
-void shapeRow(Ui& ui, const Rect& row, const Session& session, std::size_t index, bool current,
+void shapeRow(Ui& ui, Stack& rows, const Session& session, std::size_t index, bool current,
               Actions& actions) {
-  const ThreeColumns columns = threeColumns(ui, row);
+  const ThreeColumns columns = threeNumbers(ui, rows);
   const Key& key = session.flight().keys[index];
   const std::string preset = key.shape.preset == KeyShape::kOwn ? ui.words("position/own")
                                                                 : std::to_string(key.shape.preset);
@@ -64,13 +64,13 @@ void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actio
     commandButton(ui, "position/previous", row[0], "previous-key", session, actions);
     commandButton(ui, "position/next", row[1], "next-key", session, actions);
     rows.gap(6);
-    positionRow(ui, rows.row(kRow), session, actions);
+    positionRow(ui, rows, session, actions);
     rows.gap(4);
     const std::size_t current = session.current().key;
-    shapeRow(ui, rows.row(kRow), session, current, true, actions);
+    shapeRow(ui, rows, session, current, true, actions);
     rows.gap(4);
     const std::size_t next = (current + 1) % session.flight().keys.size();
-    shapeRow(ui, rows.row(kRow), session, next, false, actions);
+    shapeRow(ui, rows, session, next, false, actions);
     rows.gap(4);
     commandButton(ui, "position/change", rows.row(kRow), "show-window shape", session, actions);
   });

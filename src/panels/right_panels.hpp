@@ -16,8 +16,10 @@ namespace vides {
 Rect cameraPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
 // Which frame the camera view shows; of a camera that was flown away from it, how far it is zoomed.
 std::string cameraCaption(const Ui& ui, const Session& session);
-void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs,
+// As large as there is room above `bottom`.
+void spherePanel(Ui& ui, Stack& column, float bottom, const Session& session, FlightGraphs& graphs,
                  Actions& actions);
+float measuresPanelHeight(const Ui& ui);
 void measuresPanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs);
 
 }  // namespace vides

@@ -50,6 +50,9 @@ void latitude(ImDrawList& list, const SphereView& view, double degrees, ImU32 fr
   }
 }
 
+constexpr float kMeasureRow = 19.0f;
+constexpr float kPanelFoot = 16.0f;  // its lower padding and the gap to the next one
+
 // With more keys the sphere shows where the path is dense, not each mark.
 constexpr std::size_t kMostMarked = 400;
 
@@ -137,10 +140,11 @@ std::optional<OrientationPlace> orientationAt(const SphereView& view, const Sess
 
 }  // namespace
 
-void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs,
+void spherePanel(Ui& ui, Stack& column, float bottom, const Session& session, FlightGraphs& graphs,
                  Actions& actions) {
   panel(ui, column, "panel/sphere", [&](Stack& rows) {
-    const float side = std::min(rows.width() / ui.scale(), 208.0f);
+    const float height = std::floor((bottom - rows.y()) / ui.scale()) - kPanelFoot;
+    const float side = std::min(rows.width() / ui.scale(), std::clamp(height, 128.0f, 320.0f));
     const Rect room = rows.row(side);
     const auto state = ui.area("camera/sphere", room);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -173,6 +177,8 @@ void spherePanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& gr
   });
 }
 
+float measuresPanelHeight(const Ui& ui) { return panelHeight(ui) + 4 * ui.px(kMeasureRow); }
+
 void measuresPanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs) {
   panel(ui, column, "panel/measures", [&](Stack& rows) {
     const bool scene = session.display().units == Units::kScene;
@@ -180,7 +186,7 @@ void measuresPanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& 
     const auto& quality = graphs.quality();
     const std::string waiting = "\u2026";
     const auto row = [&](const char* id, const std::string& value) {
-      ui.valueRow(rows.row(19), id, ui.words(id), value);
+      ui.valueRow(rows.row(kMeasureRow), id, ui.words(id), value);
     };
     const double seconds =
         static_cast<double>(session.evaluation().frameCount()) / session.flight().frameRate;

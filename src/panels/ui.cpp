@@ -272,10 +272,14 @@ void panel(Ui& ui, Stack& column, std::string_view headingKey,
   content(inner);
   const float bottom = inner.y() + padding;
   list.ChannelsSetCurrent(0);
-  ui.fill({column.x(), top, column.width(), bottom - top}, ColourRole::kPanel, 5.0f);
+  const Rect ground{column.x(), top, column.width(), bottom - top};
+  ui.fill(ground, ColourRole::kPanel, 5.0f);
+  if (ui.divider() != ColourRole::kWindow) ui.outline(ground, ui.divider(), 5.0f);
   list.ChannelsMerge();
   column = Stack(ui, column.x(), bottom + padding, column.width());
 }
+
+float panelHeight(const Ui& ui) { return ui.px(4) + ui.px(24) + ui.px(2) + 2 * ui.px(8); }
 
 void applyStyle(ImGuiStyle& style, const Theme& theme, float scale) {
   style = ImGuiStyle();
@@ -315,9 +319,9 @@ void applyStyle(ImGuiStyle& style, const Theme& theme, float scale) {
   set(ImGuiCol_TitleBgCollapsed, ColourRole::kPanel);
   set(ImGuiCol_MenuBarBg, ColourRole::kWindow);
   set(ImGuiCol_ScrollbarBg, ColourRole::kColumn, 0.0);
-  set(ImGuiCol_ScrollbarGrab, ColourRole::kControl);
-  set(ImGuiCol_ScrollbarGrabHovered, ColourRole::kControlHovered);
-  set(ImGuiCol_ScrollbarGrabActive, ColourRole::kControlActive);
+  set(ImGuiCol_ScrollbarGrab, ColourRole::kTextDisabled);
+  set(ImGuiCol_ScrollbarGrabHovered, ColourRole::kTextSecondary);
+  set(ImGuiCol_ScrollbarGrabActive, ColourRole::kTextSecondary);
   set(ImGuiCol_CheckMark, ColourRole::kText);
   set(ImGuiCol_SliderGrab, ColourRole::kSliderHandle);
   set(ImGuiCol_SliderGrabActive, ColourRole::kSliderHandle);

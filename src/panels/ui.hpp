@@ -125,6 +125,9 @@ class Ui {
     double time = 0.0;
     bool decimalComma = false;
   };
+  // At content scale 1: between a field's edge and its number where there is little room.
+  static constexpr float kTightInset = 2.0f;
+
   explicit Ui(const Setting& setting) : setting_(setting) {}
 
   float scale() const { return setting_.scale; }
@@ -133,6 +136,11 @@ class Ui {
   double time() const { return setting_.time; }
   ImU32 colour(ColourRole role, double opacity = 1.0) const;
   const Theme& theme() const { return setting_.theme; }
+  // Of the lines between grounds: darker than these, or bright where all grounds are black.
+  ColourRole divider() const {
+    const bool alike = theme()[ColourRole::kColumn] == theme()[ColourRole::kWindow];
+    return alike ? ColourRole::kGuide : ColourRole::kWindow;
+  }
   WidgetRegistry& registry() { return setting_.registry; }
   UiMemory& memory() { return setting_.memory; }
   bool typing() const { return !setting_.memory.editing.empty(); }
@@ -254,6 +262,9 @@ std::vector<Rect> splitFor(const Ui& ui, const Rect& row, const std::vector<std:
 // A panel: a ground with a heading. `content` draws into the stack; the ground takes its height.
 void panel(Ui& ui, Stack& column, std::string_view headingKey,
            const std::function<void(Stack&)>& content);
+
+// Of a panel, with the gap to the next one, apart from what is in it.
+float panelHeight(const Ui& ui);
 
 // Dear ImGui's own parts (menus, text fields, tooltips, scroll bars) in the theme's colours.
 void applyStyle(ImGuiStyle& style, const Theme& theme, float scale);

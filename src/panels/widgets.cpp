@@ -96,7 +96,11 @@ void Ui::edge(const Rect& rect) {
 
 void Ui::ground(const Rect& rect, const Press& press, const ButtonStyle& style) {
   if (!style.enabled) {
-    if (!style.quiet) fill(rect, ColourRole::kControl, 3.0f, 0.4);
+    if (style.on) {
+      fill(rect, ColourRole::kControlActive, 3.0f, 0.6);
+    } else if (!style.quiet) {
+      fill(rect, ColourRole::kControl, 3.0f, 0.4);
+    }
     return;
   }
   if (press.held || style.on) {
@@ -268,15 +272,22 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
     outline(rect, ColourRole::kControlHovered, 3.0f);
     ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   }
-  const float inset = px(4);
-  const Rect inside{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
-  // A long number gives up decimals, then the words before it; it is typed with all of them.
+  // A long number gives up the air around it, decimals but two, the words before it, then the last
+  // decimals. It is typed with all of them.
   std::string tail = shownValue + style.suffix;
-  const float words = style.prefix.empty() ? 0.0f : textWidth(style.prefix) + px(2);
-  for (int decimals = style.decimals;
-       decimals > 0 && textWidth(tail, style.weight) + words > inside.width;) {
-    tail = number(value, --decimals) + style.suffix;
-  }
+  float words = style.prefix.empty() ? 0.0f : textWidth(style.prefix) + px(2);
+  const auto fits = [&](float inset) {
+    return textWidth(tail, style.weight) + words <= rect.width - 2 * inset;
+  };
+  const float inset = fits(px(4)) ? px(4) : kTightInset * scale();
+  int decimals = style.decimals;
+  const auto shorten = [&](int least) {
+    while (decimals > least && !fits(inset)) tail = number(value, --decimals) + style.suffix;
+  };
+  shorten(2);
+  if (!fits(inset)) words = 0.0f;
+  shorten(0);
+  const Rect inside{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
   const float room = textWidth(tail, style.weight);
   if (words > 0.0f && room + words <= inside.width) {
     text({inside.x, inside.y, inside.width - room - px(2), inside.height}, style.prefix,

@@ -9,6 +9,8 @@
 
 namespace vides {
 
+float zoomPanelHeight(const Ui& ui) { return panelHeight(ui) + ui.px(18) + ui.px(20); }
+
 void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) {
   panel(ui, column, "panel/zoom", [&](Stack& rows) {
     const double zoom = session.currentOrientation().zoom;

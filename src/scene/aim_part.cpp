@@ -43,12 +43,12 @@ void blockRing(const ViewportContext& context, const Vec2& pixel) {
   context.labels.blockBox(pixel - half, pixel + half, kBlockedByMark);
 }
 
-void addLabel(const ViewportContext& context, const std::string& text, const Vec2& anchor,
-              ColourRole role) {
-  const Vec2 size{static_cast<double>(text.size()) * context.input.text.letterWidth,
-                  context.input.text.lineHeight};
-  const auto pixel = context.labels.place(anchor, 13.0 * context.handleScale(), size, true);
-  if (pixel) context.addNeededText({text, *pixel, context.colour(role), false}, size);
+void addLabel(const ViewportContext& context, const std::string& text, double width,
+              const Vec2& anchor, ColourRole role) {
+  const Vec2 size{width, context.input.text.lineHeight};
+  const auto place = context.labels.place(anchor, 13.0 * context.handleScale(), size, true);
+  if (!place) return;
+  context.addLabel({text, place->corner, context.colour(role)}, *place, anchor, size, true);
 }
 
 // Where the way from `from`, inside, along `way` leaves the rectangle.
@@ -74,7 +74,8 @@ Vec3 upTip(const ViewProjection& view, const Camera& camera, double contentScale
            ? (view.mapping().projectionReferencePoint.z - view.mapping().viewPlaneDistance) /
                  std::max(view.weight(camera.viewReferencePoint), 1e-6)
            : 1.0);
-  return camera.viewReferencePoint + kUpPixels * contentScale / pixelsPerUnit * camera.viewUpVector;
+  const double pixels = kUpPixels * signScale(view.pixels(), contentScale);
+  return camera.viewReferencePoint + pixels / pixelsPerUnit * camera.viewUpVector;
 }
 
 AimMark aimMark(const ViewProjection& view, const Vec3& key, const Vec3& aim, double contentScale) {
@@ -82,22 +83,29 @@ AimMark aimMark(const ViewProjection& view, const Vec3& key, const Vec3& aim, do
   const auto pixel = view.project(aim);
   const Vec2 low{r.x, r.y}, high{r.x + r.width, r.y + r.height};
   if (pixel && inside(low, high, *pixel)) return {*pixel, false};
+  return {edgePlace(view, aim, key, kEdgeInset * signScale(r, contentScale)), true};
+}
 
-  const Vec2 inset{std::min(kEdgeInset * contentScale, 0.25 * std::min(r.width, r.height))};
+Vec2 edgePlace(const ViewProjection& view, const Vec3& point, const std::optional<Vec3>& seenFrom,
+               double edge) {
+  const PixelRectangle& r = view.pixels();
+  const auto pixel = view.project(point);
+  const Vec2 low{r.x, r.y}, high{r.x + r.width, r.y + r.height};
+  const Vec2 inset{std::min(edge, 0.25 * std::min(r.width, r.height))};
   Vec2 from = 0.5 * (low + high);
-  const auto keyPixel = view.project(key);
-  if (keyPixel && inside(low + inset, high - inset, *keyPixel)) from = *keyPixel;
+  const auto start = seenFrom ? view.project(*seenFrom) : std::nullopt;
+  if (start && inside(low + inset, high - inset, *start)) from = *start;
   Vec2 way{0.0};
   if (pixel) {
     way = *pixel - from;
   } else {
     // Behind the viewer of a perspective the way is that in which the arrow leaves the picture.
-    const glm::dvec4 clip = view.matrix() * glm::dvec4(aim, 1.0);
+    const glm::dvec4 clip = view.matrix() * glm::dvec4(point, 1.0);
     const Vec2 middle = 0.5 * (low + high);
     const Vec2 mirrored{middle.x + 0.5 * r.width * clip.x, middle.y - 0.5 * r.height * clip.y};
     way = mirrored - middle - clip.w * (from - middle);
   }
-  return {leaves(low + inset, high - inset, from, way), true};
+  return leaves(low + inset, high - inset, from, way);
 }
 
 void AimPart::add(const ViewportContext& context) {
@@ -120,7 +128,7 @@ void AimPart::addAim(const ViewportContext& context, const Vec3& key, const Vec3
   addLine(context, aimLine_, key, aim, ColourRole::kAim);
   addRing(context, aimRing_, aim, style);
 
-  const AimMark mark = aimMark(context.view(), key, aim, context.scale());
+  const AimMark mark = aimMark(context.view(), key, aim, context.input.contentScale);
   if (mark.atEdge) {
     DrawItem item;
     item.geometry = edgeRing_.keep(Primitive::kMarkers, {geometryPoint(mark.pixel)});
@@ -129,11 +137,12 @@ void AimPart::addAim(const ViewportContext& context, const Vec3& key, const Vec3
     item.depth = DrawDepth::kOnTop;
     context.list.items.push_back(item);
   }
-  context.list.handles.push_back({id, mark.pixel, 10.0 * context.handleScale()});
+  context.list.handles.push_back({id, mark.pixel, context.reach(10.0)});
   const auto keyPixel = context.view().project(key);
   if (keyPixel) context.labels.blockLine(*keyPixel, mark.pixel, kBlockedByLine);
   blockRing(context, mark.pixel);
-  addLabel(context, context.input.text.aim, mark.pixel, ColourRole::kAim);
+  addLabel(context, context.input.text.aim, context.input.text.aimWidth, mark.pixel,
+           ColourRole::kAim);
 }
 
 void AimPart::addUp(const ViewportContext& context, const Camera& camera) {
@@ -141,7 +150,7 @@ void AimPart::addUp(const ViewportContext& context, const Camera& camera) {
   const Vec3& key = camera.viewReferencePoint;
   const auto keyPixel = context.view().project(key);
   if (!keyPixel) return;
-  const Vec3 tip = upTip(context.view(), camera, context.scale());
+  const Vec3 tip = upTip(context.view(), camera, context.input.contentScale);
   if (context.input.shown.upCircle) addCircle(context, camera, tip);
   const auto pixel = context.view().project(tip);
   if (!context.input.shown.up || !pixel) return;
@@ -149,10 +158,10 @@ void AimPart::addUp(const ViewportContext& context, const Camera& camera) {
   addLine(context, upLine_, key, tip, ColourRole::kUp);
   addRing(context, upRing_, tip, ring(context, ColourRole::kUp, context.hovered(id)));
   if (!context.sees(*pixel, 0.0)) return;
-  context.list.handles.push_back({id, *pixel, 10.0 * context.handleScale()});
+  context.list.handles.push_back({id, *pixel, context.reach(10.0)});
   context.labels.blockLine(*keyPixel, *pixel, kBlockedByLine);
   blockRing(context, *pixel);
-  addLabel(context, context.input.text.up, *pixel, ColourRole::kUp);
+  addLabel(context, context.input.text.up, context.input.text.upWidth, *pixel, ColourRole::kUp);
 }
 
 void AimPart::addCircle(const ViewportContext& context, const Camera& camera, const Vec3& tip) {

@@ -39,6 +39,14 @@ void addPyramid(std::vector<GeometryPoint>& points, const Camera& camera, const 
   line(roof, corner(0.45, 1.0));
 }
 
+// Whether two ghosts of this size lie over each other.
+bool looksAlike(const Camera& a, const Camera& b, double size) {
+  constexpr double kAway = 0.6;   // of the size
+  constexpr double kTurn = 0.94;  // the cosine of 20 degrees
+  return glm::distance(a.viewReferencePoint, b.viewReferencePoint) < kAway * size &&
+         glm::dot(a.viewPlaneNormal, b.viewPlaneNormal) > kTurn;
+}
+
 double pixelsPerUnitAt(const ViewProjection& view, const Vec3& point) {
   if (!view.perspective()) return view.pixelsPerUnit();
   const double distance =
@@ -49,7 +57,7 @@ double pixelsPerUnitAt(const ViewProjection& view, const Vec3& point) {
 }  // namespace
 
 void CamerasPart::add(const ViewportContext& context) {
-  if (context.input.shown.ghosts) {
+  if (context.input.shown.ghosts && !context.cramped()) {
     findGhosts(context);
     DrawItem item;
     item.geometry = ghostGeometry_;
@@ -81,8 +89,12 @@ void CamerasPart::findGhosts(const ViewportContext& context) {
   if (!fresh && ghostGeometry_ && size == ghostSize_) return;
   ghostSize_ = size;
   auto geometry = std::make_shared<Geometry>(Geometry{Primitive::kSegments, {}});
+  // Those that would only blacken the one before are left out.
+  const Camera* last = nullptr;
   for (const Camera& camera : ghosts_) {
+    if (last != nullptr && looksAlike(*last, camera, size)) continue;
     addPyramid(geometry->points, camera, context.flight(), size, false);
+    last = &camera;
   }
   ghostGeometry_ = std::move(geometry);
 }

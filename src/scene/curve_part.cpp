@@ -9,6 +9,9 @@ namespace vides {
 namespace {
 
 constexpr float kCurveFade = 0.4f;
+// The share of the ground in the curve's colour where its crosses crowd: the current section and
+// the marks stand out from the tangle.
+constexpr double kCrowdedGround = 0.4;
 // The current section is wider than the others: 3 pixels where they have 2.2.
 constexpr double kCurrentWider = 3.0 / 2.2;
 // The curve keeps labels away as long as it has at most so many chords.
@@ -36,11 +39,13 @@ void CurvePart::add(const ViewportContext& context) {
     item.count = end - begin;
     if (end > begin) context.list.items.push_back(item);
   };
+  const Colour ground = mix(context.list.groundTop, context.list.groundBottom, 0.5);
+  const Colour colour =
+      mix(context.colour(ColourRole::kCurve), ground, context.crowded ? kCrowdedGround : 0.0);
   for (const auto& chunk : flattener_.chunks()) {
     if (!mayBeSeen(context.view(), chunk.low, chunk.high, reach)) continue;
     item.geometry = chunk.geometry;
-    item.style =
-        LineStyle{context.colour(ColourRole::kCurve), context.pixels(context.input.sizes.curve)};
+    item.style = LineStyle{colour, context.pixels(context.input.sizes.curve)};
     item.lift = 1;
     const bool here = current && *current >= chunk.first && *current - chunk.first < chunk.pieces();
     if (!here) {

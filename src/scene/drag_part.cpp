@@ -31,6 +31,18 @@ Vec2 normalized(const Vec2& v) {
   return length > 1e-9 ? v / length : Vec2{0.0};
 }
 
+// Nothing where it isn't drawn.
+std::optional<Vec2> triadOrigin(const ViewportContext& context) {
+  const PixelRectangle& r = context.view().pixels();
+  const Margins& margins = context.input.margins;
+  const double away = kTriadAway * context.scale();
+  if (!context.input.shown.axes || context.cramped() || r.width < 4.0 * away ||
+      r.height < 4.0 * away)
+    return {};
+  return Vec2{std::round(r.x + margins.left + away),
+              std::round(r.y + r.height - margins.bottom - away)};
+}
+
 }  // namespace
 
 // Of the current drag; without one, of the plane that a press on the hovered handle would use.
@@ -101,6 +113,7 @@ void DragPart::addCursor(const ViewportContext& context, const Vec3& point) {
 void DragPart::addSquares(const ViewportContext& context) {
   const ViewportInput& input = context.input;
   if (!input.shown.planeSquares || !input.shown.keys || input.state.drag) return;
+  if (context.cramped()) return;
   const Vec3& key = context.flight().keys[input.state.current.key].position;
   const auto middle = context.view().project(key);
   if (!middle || !context.sees(*middle, 0.0)) return;
@@ -148,19 +161,23 @@ void DragPart::addSquares(const ViewportContext& context) {
     item.geometry = squares_[index].keep(Primitive::kPolylines, std::move(lines));
     item.style = LineStyle{colour, context.handlePixels(1.3)};
     context.list.items.push_back(item);
-    context.list.handles.push_back({id, at, 8.0 * context.handleScale()});
+    context.list.handles.push_back({id, at, context.reach(8.0)});
     const Vec2 half{5.0 * context.handleScale()};
     context.labels.blockBox(at - half, at + half, kBlockedByMark);
   }
 }
 
+void DragPart::blockTriad(const ViewportContext& context) const {
+  const auto origin = triadOrigin(context);
+  if (!origin) return;
+  const Vec2 half{(kTriadArm + 16.0) * context.scale()};
+  context.labels.blockBox(*origin - half, *origin + half, kBlockedByMark);
+}
+
 void DragPart::addTriad(const ViewportContext& context) {
-  const PixelRectangle& r = context.view().pixels();
-  const Margins& margins = context.input.margins;
-  const double away = kTriadAway * context.scale();
-  if (!context.input.shown.axes || r.width < 4.0 * away || r.height < 4.0 * away) return;
-  const Vec2 origin{std::round(r.x + margins.left + away),
-                    std::round(r.y + r.height - margins.bottom - away)};
+  const auto place = triadOrigin(context);
+  if (!place) return;
+  const Vec2& origin = *place;
   const ViewAxes& axes = context.view().axes();
   // The farthest first, so that the nearest lies on top.
   std::array<int, 3> order{0, 1, 2};

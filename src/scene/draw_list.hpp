@@ -132,6 +132,7 @@ struct DrawText {
   Vec2 pixel{0.0};
   Colour colour;
   bool strong = false;  // one weight up
+  bool haloed = false;  // has a rim of the ground's colour: something runs under it
 };
 
 enum class HandleKind : std::uint8_t {

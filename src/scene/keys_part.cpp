@@ -15,7 +15,9 @@ constexpr double kCrossRadius = 7.0, kCurrentRadius = 8.0, kSelectedRadius = 9.5
 constexpr double kHoverStep = 1.5;
 // So many keys never bury the curve, also where all are seen one behind the other.
 constexpr std::size_t kFewKeys = 32;
-constexpr double kPlateOpacity = 0.72;
+constexpr double kPlateOpacity = 0.88;
+constexpr double kLeaderOpacity = 0.6;
+constexpr double kEdgeInset = 14.0;
 constexpr std::size_t kMostNumbers = 250;
 // So many keys that changed are looked up one by one.
 constexpr std::size_t kFewChanged = 64;
@@ -35,8 +37,25 @@ bool ViewportContext::sees(const Vec2& pixel, double margin) const {
          pixel.y <= r.y + r.height + margin;
 }
 
-void ViewportContext::addNeededText(DrawText text, const Vec2& size) const {
-  if (crowded) {
+void ViewportContext::addLabel(DrawText text, const LabelPlacer::Place& place, const Vec2& anchor,
+                               const Vec2& size, bool needed) const {
+  if (place.away) {
+    const Vec2 nearest = glm::clamp(anchor, place.corner, place.corner + size);
+    const Vec2 way = nearest - anchor;
+    const double length = glm::length(way), gap = 7.0 * handleScale();
+    if (length > 1.5 * gap) {
+      DrawItem line;
+      line.geometry = std::make_shared<const Geometry>(
+          Geometry{Primitive::kSegments,
+                   {geometryPoint(anchor + way * (gap / length)), geometryPoint(nearest)}});
+      line.style = LineStyle{faded(text.colour, kLeaderOpacity), pixels(1.0)};
+      line.space = DrawSpace::kPixels;
+      line.depth = DrawDepth::kOnTop;
+      list.items.push_back(line);
+    }
+  }
+  text.haloed = place.covers;
+  if (needed && crowded) {
     const PixelRectangle& r = view().pixels();
     const double down = std::clamp((text.pixel.y + 0.5 * size.y - r.y) / r.height, 0.0, 1.0);
     const Vec2 edge{3.0 * scale(), 1.0 * scale()};
@@ -116,7 +135,7 @@ void KeysPart::find(const ViewportContext& context) {
   const Vec2 half{5.0 * context.handleScale()};
   for (const Place& place : seen_) {
     context.list.handles.push_back(
-        {{HandleKind::kKey, place.key, 0, Axis::X}, place.pixel, 10.0 * context.handleScale()});
+        {{HandleKind::kKey, place.key, 0, Axis::X}, place.pixel, context.reach(10.0)});
     context.labels.blockBox(place.pixel - half, place.pixel + half, kBlockedByMark);
   }
 }
@@ -221,20 +240,17 @@ bool KeysPart::addNumber(const ViewportContext& context, const Place& place, boo
   // The current key's plane squares need room.
   const double free = current && context.input.shown.planeSquares ? 20.0 : marked ? 15.0 : 9.0;
   const double gap = free * context.handleScale();
-  const auto pixel = context.labels.place(place.pixel, gap, size, needed);
-  if (!pixel) return false;
+  const auto label = context.labels.place(place.pixel, gap, size, needed);
+  if (!label) return false;
   const ColourRole role = current ? ColourRole::kAccent : ColourRole::kKey;
-  const DrawText number{text, *pixel, context.colour(role), current};
-  if (needed) {
-    context.addNeededText(number, size);
-  } else {
-    context.list.texts.push_back(number);
-  }
+  context.addLabel({text, label->corner, context.colour(role), current}, *label, place.pixel, size,
+                   needed);
   return true;
 }
 
 void KeysPart::addNumbers(const ViewportContext& context) const {
   if (!context.input.shown.keys || !context.input.shown.numbers) return;
+  const bool all = !context.cramped();
   const std::size_t current = context.input.state.current.key;
   const auto own = std::ranges::lower_bound(seen_, current, {}, &Place::key);
   if (own != seen_.end() && own->key == current) addNumber(context, *own, true);
@@ -249,13 +265,35 @@ void KeysPart::addNumbers(const ViewportContext& context) const {
   std::size_t round = step;
   for (const Place& place : seen_) {
     while (round < place.key + 1) round += step;
-    const bool counts = place.key == 0 || place.key + 1 == round;
+    const bool counts = all && (place.key == 0 || place.key + 1 == round);
     if (place.key == current || !counts || !addNumber(context, place, false)) continue;
     if (place.key == untold) untold = current;
   }
   if (untold == current) return;
   const auto under = std::ranges::lower_bound(seen_, untold, {}, &Place::key);
   if (under != seen_.end() && under->key == untold) addNumber(context, *under, true);
+}
+
+// As the aim's second ring does: on the way to it from the middle.
+void KeysPart::addOutside(const ViewportContext& context) {
+  if (!context.input.shown.keys) return;
+  const Vec3& key = context.flight().keys[context.input.state.current.key].position;
+  const auto pixel = context.view().project(key);
+  if (pixel && context.sees(*pixel, 0.0)) return;
+  const Vec2 at = edgePlace(context.view(), key, std::nullopt, kEdgeInset * context.scale());
+  DrawItem item;
+  item.geometry = outside_.keep(Primitive::kMarkers, {geometryPoint(at)});
+  item.space = DrawSpace::kPixels;
+  item.depth = DrawDepth::kOnTop;
+  item.style = MarkerStyle{MarkerShape::kRing, faded(context.colour(ColourRole::kAccent), 0.6),
+                           context.colour(ColourRole::kHandleFill), context.handlePixels(9.0),
+                           context.handlePixels(1.2)};
+  context.list.items.push_back(item);
+  item.style = MarkerStyle{MarkerShape::kCross, context.colour(ColourRole::kAccent), kNoColour,
+                           context.handlePixels(4.5), context.handlePixels(2.0)};
+  context.list.items.push_back(item);
+  if (context.input.shown.numbers)
+    addNumber(context, {context.input.state.current.key, at, {}}, true);
 }
 
 }  // namespace vides

@@ -86,28 +86,29 @@ int LabelPlacer::cost(const Vec2& low, const Vec2& high) const {
   return sum;
 }
 
-std::optional<Vec2> LabelPlacer::place(const Vec2& anchor, double gap, const Vec2& size,
-                                       bool needed) {
+std::optional<LabelPlacer::Place> LabelPlacer::place(const Vec2& anchor, double gap,
+                                                     const Vec2& size, bool needed) {
   // The direction from the anchor to the box, the best first: right above, right below, …
   static constexpr std::array<std::array<double, 2>, 8> kWays{
       {{1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1, 0}, {0, -1}, {0, 1}, {-1, 0}}};
   int least = std::numeric_limits<int>::max();
-  Vec2 best{0.0};
-  for (int ring = 0; ring < (needed ? 4 : 2) && least > 4; ++ring) {
+  Place best;
+  for (int ring = 0; ring < (needed ? 3 : 2) && least > 4; ++ring) {
     for (std::size_t i = 0; i < kWays.size(); ++i) {
       const Vec2 way{kWays[i][0], kWays[i][1]};
       const bool diagonal = way.x != 0.0 && way.y != 0.0;
       const double away = (diagonal ? 0.68 : 1.0) * gap * (1.0 + 0.75 * ring);
       const Vec2 middle = anchor + way * away + way * 0.5 * size;
       const Vec2 low = middle - 0.5 * size;
-      const int here = cost(low, low + size) + static_cast<int>(i) / 2 + 4 * ring;
-      if (here < least) least = here, best = low;
+      const int under = cost(low, low + size);
+      const int here = under + static_cast<int>(i) / 2 + 4 * ring;
+      if (here < least) least = here, best = {low, ring > 0, under > 0};
       if (least <= static_cast<int>(i) / 2) break;
     }
   }
   if (least > kTooBad && !needed) return std::nullopt;
   if (least >= kOutside) return std::nullopt;
-  blockBox(best, best + size, kBlockedByLabel);
+  blockBox(best.corner, best.corner + size, kBlockedByLabel);
   return best;
 }
 

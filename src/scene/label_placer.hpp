@@ -21,9 +21,14 @@ class LabelPlacer {
   void blockBox(const Vec2& low, const Vec2& high, std::uint8_t weight);
   void blockLine(const Vec2& from, const Vec2& to, std::uint8_t weight);
 
-  // The upper left corner of a box of `size` beside `anchor`, `gap` pixels away, and blocks it.
-  // Nothing where every place is too bad and the label is not `needed`.
-  std::optional<Vec2> place(const Vec2& anchor, double gap, const Vec2& size, bool needed);
+  struct Place {
+    Vec2 corner{0.0};     // the box's upper left one
+    bool away = false;    // farther than usual
+    bool covers = false;  // something lies under it
+  };
+  // Of a box of `size` beside `anchor`, `gap` pixels away or some more; blocks it. Nothing where
+  // every place is too bad and the label is not `needed`.
+  std::optional<Place> place(const Vec2& anchor, double gap, const Vec2& size, bool needed);
 
  private:
   struct Cells {

@@ -22,13 +22,16 @@ struct ViewportContext {
   const ViewportInput& input;
   DrawList& list;
   LabelPlacer& labels;
+  double signs = 1.0;  // signScale()
   // Crosses crowd: what belongs to the current key is drawn over them.
   bool crowded = false;
 
   const ViewProjection& view() const { return list.view; }
   const Flight& flight() const { return input.evaluation.flight(); }
   const Colour& colour(ColourRole role) const { return input.theme[role]; }
-  double scale() const { return input.contentScale; }
+  double scale() const { return signs; }
+  // A picture with room for what is current only.
+  bool cramped() const { return signs < 0.75 * input.contentScale; }
   float pixels(double atScale1) const { return static_cast<float>(atScale1 * scale()); }
   // Of what can be taken hold of: grows with the chosen size of handles.
   double handleScale() const { return scale() * input.sizes.handles / ElementSizes().handles; }
@@ -37,8 +40,14 @@ struct ViewportContext {
   bool hovered(const HandleId& id) const { return input.state.hovered == id; }
   // Whether a pixel lies in the rectangle, or at most `margin` outside.
   bool sees(const Vec2& pixel, double margin) const;
-  // A text that must be read: where crosses crowd, on a ground of its own.
-  void addNeededText(DrawText text, const Vec2& size) const;
+  // Around a handle: what the hand can do with doesn't shrink with the signs.
+  double reach(double atScale1) const {
+    return atScale1 * input.contentScale * input.sizes.handles / ElementSizes().handles;
+  }
+  // A text placed for what stands at `anchor`, with a line to it where it stands away. One that
+  // must be read has a ground of its own where crosses crowd.
+  void addLabel(DrawText text, const LabelPlacer::Place& place, const Vec2& anchor,
+                const Vec2& size, bool needed) const;
 };
 
 inline ColourRole roleOf(Axis axis) {
@@ -80,6 +89,8 @@ class KeysPart {
   void addCrosses(const ViewportContext& context);
   void addMarks(const ViewportContext& context);
   void addNumbers(const ViewportContext& context) const;
+  // At the picture's edge, where the current key lies outside.
+  void addOutside(const ViewportContext& context);
 
  private:
   struct Place {
@@ -106,8 +117,13 @@ class KeysPart {
   double cell_ = 0.0;  // of the crowding; 0: no need to look
   Crowding crowding_, crowdingOfSelected_;
   bool crowded_ = false;
-  GeometrySlot crosses_, selected_, current_, hovered_;
+  GeometrySlot crosses_, selected_, current_, hovered_, outside_;
 };
+
+// Where a point outside the picture is told at its edge, `edge` pixels from it: on the way to the
+// point from what is seen of `seenFrom`, else from the middle.
+Vec2 edgePlace(const ViewProjection& view, const Vec3& point, const std::optional<Vec3>& seenFrom,
+               double edge);
 
 // The current orientation's VPN and VUP with their handles.
 class AimPart {
@@ -154,6 +170,8 @@ class DragPart {
   void addPlanes(const ViewportContext& context);
   void addSquares(const ViewportContext& context);
   void addTriad(const ViewportContext& context);
+  // Labels keep off it.
+  void blockTriad(const ViewportContext& context) const;
 
  private:
   void addPlane(const ViewportContext& context, Axis constant, const Vec3& point);

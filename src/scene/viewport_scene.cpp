@@ -10,6 +10,20 @@
 
 namespace vides {
 
+namespace {
+
+// A picture whose shorter side has so many pixels at content scale 1 has room for signs of full
+// size; in the smallest they have this share of it.
+constexpr double kRoomySide = 280.0;
+constexpr double kLeastSigns = 0.55;
+
+}  // namespace
+
+double signScale(const PixelRectangle& picture, double contentScale) {
+  const double side = std::min(picture.width, picture.height) / contentScale;
+  return contentScale * std::clamp(side / kRoomySide, kLeastSigns, 1.0);
+}
+
 struct ViewportScene::Parts {
   DrawList list;
   Evaluation evaluation;
@@ -47,20 +61,27 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
   for (const PixelRectangle& box : input.state.covered) {
     labels.blockBox({box.x, box.y}, {box.x + box.width, box.y + box.height}, kBlockedByLabel);
   }
-  ViewportContext context{input, list, labels};
+  ViewportContext context{input, list, labels, signScale(r, input.contentScale)};
   p.grid.add(context);
   const float lineWidth = context.pixels(input.sizes.lines);
-  if (input.shown.cube) p.cube.add(list, input.theme, input.contentScale, lineWidth);
+  if (input.shown.cube) {
+    p.cube.add(list, input.theme, input.contentScale, lineWidth);
+    for (const auto& [from, to] : kCubeEdges) {
+      const auto a = list.view.project(cubeCorner(from)), b = list.view.project(cubeCorner(to));
+      if (a && b) labels.blockLine(*a, *b, kBlockedByLine);
+    }
+  }
   if (input.shown.scene) {
     addScenes(list, {input.scenes, context.flight().space, input.shown.sceneAsPoints, lineWidth},
               input.theme);
   }
   p.cameras.add(context);
-  p.curve.add(context);
-  p.drag.addPlanes(context);
   // Marks block before any label is placed.
   p.keys.find(context);
   context.crowded = p.keys.crowded();
+  p.curve.add(context);
+  p.drag.addPlanes(context);
+  p.drag.blockTriad(context);
   if (context.crowded) {
     p.keys.addCrosses(context);
     p.curve.addCurrentOnTop(context);
@@ -71,6 +92,7 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
   if (!context.crowded) p.keys.addCrosses(context);
   p.keys.addMarks(context);
   p.keys.addNumbers(context);
+  p.keys.addOutside(context);
   p.drag.addTriad(context);
   return list;
 }

@@ -82,6 +82,8 @@ struct ViewportState {
 struct ViewportText {
   std::string aim = "aim";
   std::string up = "VUP";
+  double aimWidth = 24.0;
+  double upWidth = 24.0;
   double digitWidth = 8.0;
   double letterWidth = 8.0;
   double lineHeight = 16.0;
@@ -139,8 +141,12 @@ class ViewportScene {
 std::optional<HandleId> handleAt(const DrawList& list, const Vec2& pixel, std::size_t currentKey,
                                  double contentScale);
 
-// Where the VUP arrow of a camera ends: so far from the VRP that it would be kUpPixels long if it
-// lay across the view. The circle of the roll has that radius.
+// How large signs are drawn in a picture of this size: the content scale, and less where the
+// picture is so small that they would bury what they stand for.
+double signScale(const PixelRectangle& picture, double contentScale);
+
+// Where the VUP arrow of a camera ends: so far from the VRP that it would be kUpPixels long, times
+// signScale(), if it lay across the view. The circle of the roll has that radius.
 inline constexpr double kUpPixels = 46.0;
 Vec3 upTip(const ViewProjection& view, const Camera& camera, double contentScale);
 

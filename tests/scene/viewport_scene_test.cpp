@@ -469,27 +469,6 @@ TEST(ViewportScene, HoverShowsTheLeftButtonsPlane) {
   EXPECT_EQ(fills(), 0);
 }
 
-TEST(ViewportScene, GhostsStandEveryNFrames) {
-  ViewportInput input = inputOf(sixKeys());
-  ViewportScene scene;
-  const auto ghosts = [&]() -> std::size_t {
-    for (const DrawItem& item : scene.build(input).items) {
-      const auto* style = std::get_if<LineStyle>(&item.style);
-      if (style != nullptr && style->colour == input.theme[ColourRole::kGhost]) {
-        EXPECT_EQ(item.geometry->elements() % 8, 0u);
-        return item.geometry->elements() / 8;
-      }
-    }
-    return 0;
-  };
-  const auto frames = static_cast<std::size_t>(input.evaluation.frameCount());
-  input.shown.ghostEvery = 25;
-  EXPECT_EQ(ghosts(), (frames + 24) / 25);
-  input.shown.ghostEvery = 0;
-  EXPECT_LE(ghosts(), static_cast<std::size_t>(kMostGhosts));
-  EXPECT_GT(ghosts(), static_cast<std::size_t>(kMostGhosts) / 3);
-}
-
 // The widest line of a colour, and the largest marker.
 float widthOf(const DrawList& list, const Colour& colour) {
   float width = 0.0f;
@@ -508,6 +487,111 @@ float crossOf(const DrawList& list, const Colour& colour) {
     }
   }
   return radius;
+}
+
+TEST(ViewportScene, GhostsStandEveryNFrames) {
+  ViewportInput input = inputOf(sixKeys());
+  ViewportScene scene;
+  const auto ghosts = [&]() -> std::size_t {
+    for (const DrawItem& item : scene.build(input).items) {
+      const auto* style = std::get_if<LineStyle>(&item.style);
+      if (style != nullptr && style->colour == input.theme[ColourRole::kGhost]) {
+        EXPECT_EQ(item.geometry->elements() % 8, 0u);
+        return item.geometry->elements() / 8;
+      }
+    }
+    return 0;
+  };
+  const auto frames = static_cast<std::size_t>(input.evaluation.frameCount());
+  input.shown.ghostEvery = 25;
+  EXPECT_EQ(ghosts(), (frames + 24) / 25);
+  input.shown.ghostEvery = 0;
+  EXPECT_LE(ghosts(), static_cast<std::size_t>(kMostGhosts));
+  EXPECT_GT(ghosts(), 40u);
+}
+
+// Close to each other ghosts would be one blot: they are drawn where there is room, or where the
+// camera looks elsewhere.
+TEST(ViewportScene, GhostsKeepApart) {
+  ViewportInput input = inputOf(sixKeys());
+  input.shown.ghostEvery = 1;
+  ViewportScene scene;
+  for (const DrawItem& item : scene.build(input).items) {
+    const auto* style = std::get_if<LineStyle>(&item.style);
+    if (style == nullptr || style->colour != input.theme[ColourRole::kGhost]) continue;
+    const auto at = [&](std::size_t i) {
+      const GeometryPoint& p = item.geometry->points[i];
+      return Vec3{p.x, p.y, p.z};
+    };
+    // Eight edges; the first one and the fifth lead from the eye to corners that face each other.
+    const auto ahead = [&](std::size_t i) {
+      return glm::normalize(at(i + 1) + at(i + 9) - 2.0 * at(i));
+    };
+    ASSERT_GT(item.geometry->points.size(), 32u);
+    for (std::size_t i = 16; i < item.geometry->points.size(); i += 16) {
+      const double size = glm::distance(at(i), at(i + 1));
+      const bool turned = glm::dot(ahead(i), ahead(i - 16)) < 0.95;
+      EXPECT_TRUE(turned || glm::distance(at(i), at(i - 16)) > 0.59 * size) << i;
+    }
+    return;
+  }
+  FAIL() << "no ghosts";
+}
+
+// In a picture too small for signs of full size they shrink, what is only of help is left out, and
+// what the hand takes hold of is no harder to hit.
+TEST(ViewportScene, SmallPicturesHaveSmallSigns) {
+  ViewportInput input = inputOf(sixKeys());
+  input.rectangle = {0, 0, 1200, 900};
+  const auto count = [](const DrawList& list, HandleKind kind) {
+    return std::ranges::count_if(list.handles, [&](const Handle& h) { return h.id.kind == kind; });
+  };
+  ViewportScene scene;
+  const DrawList large = scene.build(input);
+  EXPECT_EQ(count(large, HandleKind::kPlane), 3);
+  EXPECT_EQ(large.texts.size(), 6u + 2u + 3u);
+  input.rectangle = {0, 0, 230, 130};
+  const DrawList small = scene.build(input);
+  EXPECT_EQ(count(small, HandleKind::kPlane), 0);
+  EXPECT_EQ(count(small, HandleKind::kKey), 6);
+  EXPECT_EQ(small.texts.size(), 1u + 2u);  // the current key's number, VUP and aim
+  EXPECT_LT(crossOf(small, input.theme[ColourRole::kKey]),
+            0.6f * crossOf(large, input.theme[ColourRole::kKey]));
+  EXPECT_EQ(small.handles.front().radius, large.handles.front().radius);
+  const Camera camera = input.evaluation.cameraAt(input.state.current);
+  EXPECT_NEAR(glm::distance(camera.viewReferencePoint, upTip(small.view, camera, 1.0)) *
+                  small.view.pixelsPerUnit(),
+              kUpPixels * signScale(input.rectangle, 1.0), 1e-9);
+}
+
+// Outside the picture the current key is told at its edge, where the way to it leaves the picture.
+TEST(ViewportScene, ACurrentKeyOutsideIsToldAtTheEdge) {
+  ViewportInput input = inputOf(sixKeys());
+  const auto ringAtEdge = [&](const DrawList& list) -> std::optional<Vec2> {
+    for (const DrawItem& item : list.items) {
+      const auto* style = std::get_if<MarkerStyle>(&item.style);
+      if (style != nullptr && style->shape == MarkerShape::kCross &&
+          item.space == DrawSpace::kPixels) {
+        return Vec2{item.geometry->points[0].x, item.geometry->points[0].y};
+      }
+    }
+    return std::nullopt;
+  };
+  ViewportScene scene;
+  EXPECT_FALSE(ringAtEdge(scene.build(input)));
+  const Vec3 key = input.evaluation.flight().keys[input.state.current.key].position;
+  // The key far to the right of the middle, at the same height.
+  input.view.turn = 0.0;
+  input.view.tilt = 0.0;
+  input.view.size = 2.0;
+  input.view.target = key - Vec3{5.0, 0.0, 0.0};
+  const auto at = ringAtEdge(scene.build(input));
+  ASSERT_TRUE(at);
+  const PixelRectangle& r = input.rectangle;
+  EXPECT_NEAR(at->x, r.x + r.width - 14.0 * signScale(r, input.contentScale), 1e-3);
+  EXPECT_NEAR(at->y, r.y + 0.5 * r.height, 1e-3);
+  input.shown.keys = false;
+  EXPECT_FALSE(ringAtEdge(scene.build(input)));
 }
 
 TEST(ViewportScene, LinesAndHandlesHaveTheChosenSizes) {
