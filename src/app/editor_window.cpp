@@ -51,12 +51,14 @@ void endStack(const Stack& stack, float top) {
 // In a low window the columns need the room more, in a high one there is enough; unless the user
 // has chosen a height.
 float timelineHeight(const Ui& ui, const Layout& layout, float height) {
-  constexpr float kLeast = 128.0f;
-  constexpr float kShare = 0.2f;
+  constexpr float kLeast = 116.0f;
+  constexpr float kEnough = 772.0f;  // for all of it beside the columns
+  constexpr float kSlope = 0.42f;
   float wanted = ui.px(layout.timeline);
   if (layout.timeline != Layout().timeline) return std::min(wanted, height * 0.5f);
   wanted = std::clamp(std::round(kTimelineShare * height), wanted, ui.px(kMostTimeline));
-  const float low = std::max(ui.px(kLeast), std::round(height * kShare));
+  const float low = std::max(
+      ui.px(kLeast), ui.px(layout.timeline) - std::round(kSlope * (ui.px(kEnough) - height)));
   return std::min({wanted, low, height * 0.5f});
 }
 
@@ -132,8 +134,9 @@ void Editor::Parts::leftColumn(Ui& ui, const Rect& rect, bool both, Actions& act
 void Editor::Parts::leftPanels(Ui& ui, Stack& column, float bottom, Actions& actions) {
   positionPanel(ui, column, session, actions);
   orientationPanel(ui, column, session, actions);
-  speedPanel(ui, column, bottom - zoomPanelHeight(ui), session, actions);
-  zoomPanel(ui, column, session, actions);
+  const float zoom = zoomPanelHeight(ui, false);
+  speedPanel(ui, column, bottom - zoom, zoom - zoomPanelHeight(ui, true), session, actions);
+  zoomPanel(ui, column, bottom, session, actions);
 }
 
 void Editor::Parts::rightColumn(Ui& ui, const Rect& rect, Actions& actions) {

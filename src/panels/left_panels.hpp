@@ -11,10 +11,13 @@ namespace vides {
 // Each adds itself to the column and what the user asks for to the actions.
 void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
 void orientationPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
-// Its curve is as high as there is room above `bottom`.
-void speedPanel(Ui& ui, Stack& column, float bottom, const Session& session, Actions& actions);
-void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
-float zoomPanelHeight(const Ui& ui);
+// Its curve is as high as there is room above `bottom`; where there is too little, what stands
+// below can give up `spare` pixels.
+void speedPanel(Ui& ui, Stack& column, float bottom, float spare, const Session& session,
+                Actions& actions);
+// In one row less where it fits above `bottom` only so.
+void zoomPanel(Ui& ui, Stack& column, float bottom, const Session& session, Actions& actions);
+float zoomPanelHeight(const Ui& ui, bool low);
 
 // A button that runs a command, given as its line; greyed where the session can't.
 void commandButton(Ui& ui, std::string_view id, const Rect& rect, std::string_view command,

@@ -12,7 +12,7 @@ namespace vides {
 namespace {
 
 constexpr float kRow = 22.0f;
-constexpr float kLeastCurve = 60.0f, kMostCurve = 140.0f;
+constexpr float kLeastCurve = 30.0f, kUsualCurve = 60.0f, kMostCurve = 140.0f;
 
 void smallCurve(Ui& ui, const Rect& rect, const Session& session, bool owns, Actions& actions) {
   ui.fill(rect, ColourRole::kField, 3.0f);
@@ -72,16 +72,19 @@ Ui::Typed numberRow(Ui& ui, const Rect& row, std::string_view id, double value, 
 
 }  // namespace
 
-void speedPanel(Ui& ui, Stack& column, float bottom, const Session& session, Actions& actions) {
+void speedPanel(Ui& ui, Stack& column, float bottom, float spare, const Session& session,
+                Actions& actions) {
   panel(ui, column, "panel/speed", [&](Stack& rows) {
     const OrientationPlace& place = session.current();
     const Orientation& orientation = session.currentOrientation();
     // At an open flight's last orientation no section begins.
     const bool owns = session.evaluation().next(place) != place;
     const float below = 3 * (ui.px(kRow) + ui.px(4)) + 2 * ui.px(8);
-    const float height = (bottom - below - rows.y()) / ui.scale();
-    smallCurve(ui, rows.row(std::floor(std::clamp(height, kLeastCurve, kMostCurve))), session, owns,
-               actions);
+    float height = (bottom - below - rows.y()) / ui.scale();
+    if (height < kUsualCurve) height = std::min(kUsualCurve, height + spare / ui.scale());
+    // In a column that must be scrolled anyway nothing is won by a flat one.
+    if (height < kLeastCurve) height = kUsualCurve;
+    smallCurve(ui, rows.row(std::floor(std::min(height, kMostCurve))), session, owns, actions);
     rows.gap(4);
     const auto section = owns ? session.evaluation().sectionFrom(place) : std::nullopt;
     const std::int64_t frames = section ? section->frames : 0;

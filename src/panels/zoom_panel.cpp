@@ -9,9 +9,14 @@
 
 namespace vides {
 
-float zoomPanelHeight(const Ui& ui) { return panelHeight(ui) + ui.px(18) + ui.px(20); }
+float zoomPanelHeight(const Ui& ui, bool low) {
+  return panelHeight(ui) + ui.px(18) + (low ? 0.0f : ui.px(20));
+}
 
-void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) {
+void zoomPanel(Ui& ui, Stack& column, float bottom, const Session& session, Actions& actions) {
+  const float top = column.y();
+  const bool low = top + zoomPanelHeight(ui, false) > bottom + 1.0f &&
+                   top + zoomPanelHeight(ui, true) <= bottom + 1.0f;
   panel(ui, column, "panel/zoom", [&](Stack& rows) {
     const double zoom = session.currentOrientation().zoom;
     const auto change =
@@ -25,9 +30,16 @@ void zoomPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) 
     }
     const Lens& lens = session.flight().lens;
     const double angle = lens.horizontalFieldOfView(zoom) * 180.0 / std::numbers::pi;
-    ui.valueRow(rows.row(20), "zoom/lens", ui.number(zoom, 1),
-                fmt::format("{} mm \u00b7 {}\u00b0", ui.number(lens.focalLength(zoom), 1),
-                            ui.number(angle, 1)));
+    const std::string told = fmt::format("{} mm \u00b7 {}\u00b0",
+                                         ui.number(lens.focalLength(zoom), 1), ui.number(angle, 1));
+    if (low) {
+      const Rect heading{rows.x(), top + ui.px(4), rows.width(), ui.px(24)};
+      ui.shows("zoom/lens", heading, told);
+      ui.text(heading, ui.number(zoom, 1) + " \u00b7 " + told,
+              {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
+    } else {
+      ui.valueRow(rows.row(20), "zoom/lens", ui.number(zoom, 1), told);
+    }
   });
 }
 

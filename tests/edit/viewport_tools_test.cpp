@@ -113,6 +113,49 @@ TEST(PlaneDrag, EachButtonKeepsItsCoordinate) {
   }
 }
 
+// The output line has the point's place and what holds it, whatever the keys choose; in the units
+// that are shown.
+TEST(PlaneDrag, TheOutputLineTellsWhereAndHow) {
+  Hand hand;
+  EXPECT_FALSE(hand.tools.output());
+  const Vec2 from = hand.key(0), to = from + Vec2(10, -5);
+  hand.press(PointerButton::kLeft, from);
+  EXPECT_FALSE(hand.tools.output());  // not a drag yet
+  hand.move(to);
+  const auto said = [&](const char* way) {
+    return OutputLine{
+        MessageKind::kNumbers,
+        Text("output.drag-point",
+             {Text(way), hand.session.pointText(hand.session.flight().keys[0].position)})};
+  };
+  EXPECT_EQ(hand.tools.output(), said("hint.plane.x"));
+  hand.tap(KeyboardKey::kX);
+  hand.move(to + Vec2(1, 0));
+  EXPECT_EQ(hand.tools.output(), said("drag.along.x"));
+  hand.tap(KeyboardKey::kX);
+  hand.tap(KeyboardKey::kZ);
+  hand.tap(KeyboardKey::kZ);
+  hand.move(to);
+  EXPECT_EQ(hand.tools.output(), said("hint.plane.z"));
+  hand.tools.cancel();
+  EXPECT_FALSE(hand.tools.output());
+
+  // Turning the view says nothing; turning the VUP the roll.
+  hand.press(PointerButton::kLeft, {300, 60});
+  hand.move({330, 60});
+  EXPECT_FALSE(hand.tools.output());
+  hand.tools.cancel();
+  const Camera camera = hand.session.evaluation().cameraAt(hand.session.current());
+  const Vec3 tip = upTip(hand.place().view, camera, 1.0);
+  hand.extra = {{{HandleKind::kUp, 0, 0, Axis::X}, tip}};
+  hand.press(PointerButton::kLeft, hand.seen(tip));
+  hand.move(hand.seen(tip) + Vec2(30, 10));
+  const double roll = hand.session.currentOrientation().roll;
+  EXPECT_NE(roll, 0.0);
+  EXPECT_EQ(hand.tools.output(),
+            (OutputLine{MessageKind::kNumbers, Text("output.drag-up", {roll})}));
+}
+
 TEST(PlaneDrag, ControlAndLeftIsTheMiddleButton) {
   Hand hand;
   const Vec2 from = hand.key(1);
