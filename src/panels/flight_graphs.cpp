@@ -105,6 +105,19 @@ FlightGraphs::Motion FlightGraphs::estimated(double begin, double end) const {
   return {share * motion.way, share * motion.turn};
 }
 
+FlightGraphs::Rates FlightGraphs::ratesAt(std::int64_t frame) const {
+  const std::int64_t last = evaluation_->frameCount() - 1;
+  const std::int64_t from = std::clamp<std::int64_t>(frame, 0, std::max<std::int64_t>(0, last - 1));
+  const Motion step = between(evaluation_->frame(from).camera, evaluation_->frame(from + 1).camera);
+  const double fps = evaluation_->flight().frameRate;
+  return {step.way * fps, step.turn * fps};
+}
+
+FlightGraphs::Rates FlightGraphs::most() const {
+  if (quality_) return {quality_->maxSpeed, quality_->maxAngularSpeed};
+  return {static_cast<double>(strip_.mostSpeed), static_cast<double>(strip_.mostAngularSpeed)};
+}
+
 const std::vector<FlightGraphs::PathPoint>& FlightGraphs::path() {
   if (!path_.empty()) return path_;
   const std::int64_t last = evaluation_->frameCount() - 1;

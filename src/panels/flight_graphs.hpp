@@ -45,6 +45,15 @@ class FlightGraphs {
   // finer than the sums), they are estimated from some of the frames.
   const SpeedStrip& strip(std::int64_t first, double framesPerSample, int samples);
 
+  // What the camera does from a frame to the next (at the last one, up to it), and the most of it:
+  // as far as it is known, of what the strip shows while the flight is measured.
+  struct Rates {
+    double speed = 0.0;  // cube units per second
+    double turn = 0.0;   // degrees per second
+  };
+  Rates ratesAt(std::int64_t frame) const;
+  Rates most() const;
+
   // Nothing while it is still being measured.
   const std::optional<Quality>& quality() {
     asked_ = true;

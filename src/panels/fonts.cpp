@@ -24,12 +24,13 @@ namespace {
 constexpr float kTextHeight = 16.0f;
 constexpr float kSmallHeight = 13.5f;
 
-// Latin with its accents, Greek and Cyrillic for names, dashes, quotes, …, −.
+// Latin with its accents, Greek and Cyrillic for names, dashes, quotes, …, the narrow space, −.
 constexpr std::array<ImWchar, 17> kTextRanges = {0x0020, 0x002F, 0x003A, 0x024F, 0x0370, 0x03FF,
-                                                 0x0400, 0x045F, 0x2010, 0x2026, 0x2030, 0x203A,
+                                                 0x0400, 0x045F, 0x2010, 0x2026, 0x202F, 0x203A,
                                                  0x20AC, 0x20AC, 0x2190, 0x2212, 0};
-constexpr std::array<ImWchar, 11> kInterfaceRanges = {
-    0x0020, 0x002F, 0x003A, 0x017F, 0x2010, 0x2026, 0x2039, 0x203A, 0x2190, 0x2212, 0};
+constexpr std::array<ImWchar, 13> kInterfaceRanges = {0x0020, 0x002F, 0x003A, 0x017F, 0x2010,
+                                                      0x2026, 0x202F, 0x202F, 0x2039, 0x203A,
+                                                      0x2190, 0x2212, 0};
 constexpr std::array<ImWchar, 3> kDigitRange = {'0', '9', 0};
 
 #ifdef VIDES_EMBEDDED_FONTS
@@ -132,7 +133,7 @@ FontSet buildFonts(double contentScale) {
 std::string shown(const Fonts& fonts, std::string_view text) {
   std::string result(text);
   if (!fonts.plain) return result;
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kPlainer = {{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kPlainer = {{
       {"\u2212", "-"},
       {"\u2026", "..."},
       {"\u2013", "-"},
@@ -140,6 +141,7 @@ std::string shown(const Fonts& fonts, std::string_view text) {
       {"\u2018", "'"},
       {"\u2019", "'"},
       {"\u201e", "\""},
+      {"\u202f", " "},
   }};
   for (const auto& [from, to] : kPlainer) {
     for (std::size_t at = result.find(from); at != std::string::npos; at = result.find(from, at)) {

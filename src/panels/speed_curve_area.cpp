@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The speed curve with its ten handles: dragged up and down, swept with the right button.
+#include <fmt/format.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "panels/quantities.hpp"
 #include "panels/speed_window.hpp"
 
 namespace vides {
@@ -121,7 +123,16 @@ void dashed(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 ink, float width, fl
   }
 }
 
-void grid(Ui& ui, const Rect& rect, const Plane& plane, bool there, const SpeedGraph* graph) {
+// Decimals for the speeds at all levels: three digits of the largest, as far as they fit.
+int axisDecimals(const Ui& ui, double most, float room) {
+  int decimals = 2 - std::clamp(static_cast<int>(std::floor(std::log10(most))), -3, 2);
+  while (decimals > 0 && ui.textWidth(grouped(ui, most, decimals), Weight::kSmall) > room) {
+    --decimals;
+  }
+  return decimals;
+}
+
+void grid(Ui& ui, const Rect& rect, const Plane& plane, double per, const SpeedGraph* graph) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const double level : {1.0, 25.0, 50.0, 75.0, 100.0}) {
     const float y = std::round(plane.at(0.0, level).y) + 0.5f;
@@ -131,13 +142,15 @@ void grid(Ui& ui, const Rect& rect, const Plane& plane, bool there, const SpeedG
     ui.text(
         {rect.x - width - ui.px(6), y - ui.px(8), width, ui.px(16)}, ui.number(level, 0),
         {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .align = Align::kRight});
-    if (!there || graph == nullptr || graph->perSpeed <= 0.0) continue;
-    // The same in the scene.
-    const double speed = graph->perSpeed * level;
-    ui.text({rect.right() + ui.px(6), y - ui.px(8), ui.px(44), ui.px(16)},
-            ui.number(speed, speed < 10.0    ? 2
-                             : speed < 100.0 ? 1
-                                             : 0),
+    if (graph == nullptr || per * graph->perSpeed <= 0.0) continue;
+    // The speed itself.
+    const Rect box{rect.right() + ui.px(6), y - ui.px(8), ui.px(42), ui.px(16)};
+    const double most = per * graph->perSpeed * kMaxSpeed;
+    std::string words = grouped(ui, most * level / kMaxSpeed, axisDecimals(ui, most, box.width));
+    if (ui.textWidth(words, Weight::kSmall) > box.width) {
+      words = fmt::format("{:.1e}", most * level / kMaxSpeed);
+    }
+    ui.text(box, words,
             {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .mayShorten = true});
   }
   // What lies beside the section's own ten columns.
@@ -197,12 +210,12 @@ float speedColumn(const Rect& rect, int column) {
   return std::round(rect.x + rect.width * (static_cast<float>(column) + 0.5f) / 12.0f);
 }
 
-void speedCurveArea(Ui& ui, const Rect& rect, bool there, const Session& session,
+void speedCurveArea(Ui& ui, const Rect& rect, double per, const Session& session,
                     SpeedWindowMemory& memory, Actions& actions) {
   ui.fill(rect, ColourRole::kField, 3.0f);
   const Plane plane = planeOf(ui, rect);
   const SpeedGraph* graph = memory.graph ? &*memory.graph : nullptr;
-  grid(ui, rect, plane, there, graph);
+  grid(ui, rect, plane, per, graph);
   const auto state = ui.area(kId, rect);
   if (graph == nullptr) {
     ui.text(rect, ui.words("speed.no-section"),

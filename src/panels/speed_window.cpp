@@ -10,13 +10,14 @@
 
 #include "edit/ease.hpp"
 #include "panels/left_panels.hpp"
+#include "panels/quantities.hpp"
 
 namespace vides {
 namespace {
 
 constexpr float kRow = 22.0f;
 constexpr float kAxis = 30.0f;   // left of the curve: 1 to 100
-constexpr float kThere = 50.0f;  // right of it: the same in the scene
+constexpr float kThere = 48.0f;  // right of it: the speeds themselves
 
 // At content scale 1. In a low window a flat one leaves the flight's curve to be seen; it stands
 // over the timeline. In a narrow window everything stands below the speed curve, and is scrolled.
@@ -24,12 +25,12 @@ struct Measures {
   float width, height;
   float column;       // of a handle
   float graph;        // its height
-  bool there = true;  // with the speeds in the scene beside it
+  bool there = true;  // with the speeds themselves beside it
 };
 constexpr Measures kLarge{820.0f, 436.0f, 44.0f, 200.0f};
 constexpr Measures kFlat{944.0f, 264.0f, 40.0f, 158.0f};
 constexpr float kLowScreen = 1000.0f;
-constexpr float kRamps = 152.0f;  // width of the eases in a flat window
+constexpr float kRamps = 160.0f;  // width of the eases in a flat window
 constexpr float kLeastNarrow = 472.0f;
 constexpr float kNarrowGraph = 128.0f;
 constexpr float kNarrowLower = 92.0f;  // height of the graphs below all
@@ -52,29 +53,27 @@ void follow(const Session& session, SpeedWindowMemory& memory) {
   memory.graph = speedGraph(session.evaluation(), session.current());
 }
 
-std::string amountUnit(const Ui& ui, SectionUnit unit) {
-  switch (unit) {
-    case SectionUnit::kScene:
-      return ui.words("unit.scene");
+// What a section's progress is told in: of lengths the unit that is chosen for positions.
+struct Measure {
+  double per = 1.0;        // of these in one of the graph's
+  std::string unit = {};   // "units", "°"
+  std::string whole = {};  // its name where it has a longer one
+};
+
+Measure measureOf(const Ui& ui, const Session& session, const SpeedGraph& graph) {
+  switch (graph.unit) {
+    case SectionUnit::kScene: {
+      const LengthUnit unit = lengthUnit(ui, session);
+      return {unit.perCube / session.flight().space.halfSize, unit.brief, unit.whole};
+    }
     case SectionUnit::kDegrees:
-      return "\u00b0";
+      return {1.0, "\u00b0"};
     case SectionUnit::kZoom:
-      return ui.words("unit.zoom");
+      return {1.0, ui.words("unit.zoom")};
     case SectionUnit::kNone:
       break;
   }
   return {};
-}
-
-std::string measured(const Ui& ui, double value, const std::string& unit) {
-  const double size = std::abs(value);
-  const std::string number = ui.number(value, size < 10.0 ? 3 : size < 1000.0 ? 1 : 0);
-  return unit == "\u00b0" || unit.empty() || unit.front() == '/' ? number + unit
-                                                                 : number + " " + unit;
-}
-
-std::string perSecond(const Ui& ui, SectionUnit unit, const char* seconds) {
-  return amountUnit(ui, unit) + seconds;
 }
 
 void fields(Ui& ui, const Rect& rect, const Rect& row, const Session& session,
@@ -89,7 +88,8 @@ void fields(Ui& ui, const Rect& rect, const Rect& row, const Session& session,
     const auto typed = ui.field(kValues[j], box(j + 1), value,
                                 {.decimals = value == std::round(value) ? 0 : 1,
                                  .enabled = memory.graph.has_value(),
-                                 .weight = Weight::kSemibold});
+                                 .weight = Weight::kSemibold,
+                                 .centred = true});
     actions.typed(typed, [&](double entered) { return Command("set-speed-value", j, entered); });
   }
   const auto neighbour = [&](const char* id, int column, std::optional<double> speed) {
@@ -147,7 +147,9 @@ void smallGraph(Ui& ui, const Rect& rect, const char* id, const std::string& val
                     rect.bottom() - heading.bottom() - ui.px(2)};
   ui.fill(ground, ColourRole::kField, 3.0f);
   ui.shows(id, rect, value);
-  const Rect inner = ground.inset(ui.px(8));
+  const float margin = std::min(ui.px(8), std::round(ground.height / 6.0f));
+  const Rect inner{ground.x + ui.px(8), ground.y + margin, ground.width - 2 * ui.px(8),
+                   ground.height - 2 * margin};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float range = static_cast<float>(high - low);
   const auto y = [&](double v) {
@@ -165,22 +167,28 @@ void smallGraph(Ui& ui, const Rect& rect, const char* id, const std::string& val
 }
 
 // The first one takes `first` pixels of the row.
-void lowerGraphs(Ui& ui, const Rect& row, float first, const SpeedWindowMemory& memory) {
+void lowerGraphs(Ui& ui, const Rect& row, float first, const Session& session,
+                 const SpeedWindowMemory& memory) {
   const float second = first + ui.px(16);
   const Rect boxes[] = {{row.x, row.y, first, row.height},
                         {row.x + second, row.y, row.width - second, row.height}};
   const SpeedGraph* graph = memory.graph ? &*memory.graph : nullptr;
-  const double amount = graph != nullptr && graph->amount > 0.0 ? graph->amount : 1.0;
+  std::string way, acceleration;
+  double amount = 1.0, most = 1.0;
+  if (graph != nullptr) {
+    const Measure measure = measureOf(ui, session, *graph);
+    way = withUnit(measured(ui, graph->amount * measure.per), measure.unit);
+    acceleration =
+        "\u00b1 " + withUnit(measured(ui, graph->most * measure.per), measure.unit + "/s\u00b2");
+    if (graph->amount > 0.0) amount = graph->amount;
+    if (graph->most > 0.0) most = graph->most;
+  }
   smallGraph(
-      ui, boxes[0], "speed/way",
-      graph ? measured(ui, graph->amount, amountUnit(ui, graph->unit)) : "", graph, 0.0, amount,
+      ui, boxes[0], "speed/way", way, graph, 0.0, amount,
       [](const SpeedGraph::Point& p) { return p.way; }, ColourRole::kCurve);
-  const double most = graph != nullptr && graph->most > 0.0 ? graph->most : 1.0;
   smallGraph(
-      ui, boxes[1], "speed/acceleration",
-      graph ? "\u00b1 " + measured(ui, graph->most, perSecond(ui, graph->unit, "/s\u00b2")) : "",
-      graph, -most, most, [](const SpeedGraph::Point& p) { return p.acceleration; },
-      ColourRole::kCurve);
+      ui, boxes[1], "speed/acceleration", acceleration, graph, -most, most,
+      [](const SpeedGraph::Point& p) { return p.acceleration; }, ColourRole::kCurve);
 }
 
 std::string easeId(std::string_view name) {
@@ -218,27 +226,39 @@ void easeGrid(Ui& ui, Stack& rows, const Session& session, Actions& actions, boo
   constexpr const char* kRows[] = {"sine", "parabola", "acceleration"};
   constexpr const char* kColumns[] = {"in", "out", "in-out"};
   const float height = flat ? 24.0f : 28.0f;
-  if (!flat) ui.text(rows.row(20), ui.words("speed.ease"), {.weight = Weight::kSemibold});
+  const float left = ui.px(64);
+  const auto label = [&](const Rect& row, const std::string& key, const TextStyle& style) {
+    ui.text({row.x, row.y, left - ui.px(2), row.height}, ui.words(key), style);
+  };
   const auto boxesOf = [&](const Rect& row) {
-    const float label = ui.px(66);
-    return split(ui, {row.x + label, row.y, row.width - label, row.height}, 3);
+    return split(ui, {row.x + left, row.y, row.width - left, row.height}, 3);
   };
-  const auto label = [&](const Rect& row, const std::string& key) {
-    ui.text({row.x, row.y, ui.px(62), row.height}, ui.words(key),
-            {.colour = ColourRole::kTextSecondary});
-  };
-  const Rect constant = rows.row(height);
-  label(constant, "speed.constant");
-  easeButton(ui, boxesOf(constant)[0], "constant", session, actions, enabled);
+  const Rect heads = rows.row(18);
+  label(heads, "speed.ease", {.weight = Weight::kSemibold});
+  const auto columns = boxesOf(heads);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    // They may stand in the gaps, too.
+    const Rect& box = columns[i];
+    ui.text(
+        {box.x - ui.px(2), box.y, box.width + ui.px(4), box.height},
+        ui.words("speed.ease_" + std::string(kColumns[i])),
+        {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .align = Align::kCentre});
+  }
   for (const char* kind : kRows) {
-    rows.gap(4);
+    rows.gap(kind == kRows[0] ? 2 : 4);
     const Rect row = rows.row(height);
-    label(row, std::string("speed.") + kind);
+    label(row, std::string("speed.") + kind, {.colour = ColourRole::kTextSecondary});
     const auto boxes = boxesOf(row);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       easeButton(ui, boxes[i], std::string(kColumns[i]) + "-" + kind, session, actions, enabled);
     }
   }
+  // None of the three: as wide as all of them.
+  rows.gap(4);
+  const Rect constant = rows.row(height);
+  label(constant, "speed.constant", {.colour = ColourRole::kTextSecondary});
+  easeButton(ui, {constant.x + left, constant.y, constant.width - left, constant.height},
+             "constant", session, actions, enabled);
 }
 
 void duration(Ui& ui, Stack& rows, const Session& session, const SpeedWindowMemory& memory,
@@ -272,19 +292,43 @@ void duration(Ui& ui, Stack& rows, const Session& session, const SpeedWindowMemo
                 {.enabled = orientation.duration.has_value()});
   rows.gap(4);
   if (!owns) return;
-  const std::string unit = perSecond(ui, graph->unit, "/s");
-  ui.valueRow(rows.row(18), "speed/mean", ui.words("speed/mean"), measured(ui, graph->mean, unit));
-  ui.valueRow(rows.row(18), "speed/fastest", ui.words("speed/fastest"),
-              measured(ui, graph->fastest, unit));
+  const Measure measure = measureOf(ui, session, *graph);
+  const auto speed = [&](const char* id, double value, const Measure& in) {
+    const Rect box = rows.row(18);
+    const std::string label = ui.words(id), number = measured(ui, value * in.per);
+    // With the unit's name where there is room; the heading has it, too.
+    std::string words = number + " /s";
+    for (const std::string& unit : {in.whole, in.unit}) {
+      const std::string longer = withUnit(number, unit + "/s");
+      if (unit.empty() ||
+          ui.textWidth(label) + ui.px(8) + ui.textWidth(longer, Weight::kSemibold) > box.width) {
+        continue;
+      }
+      words = longer;
+      break;
+    }
+    ui.valueRow(box, id, label, words);
+  };
+  speed("speed/mean", graph->mean, measure);
+  speed("speed/fastest", graph->fastest, measure);
+  // What the film's other programs will see, where that is another number.
+  if (graph->unit == SectionUnit::kScene && measure.per != 1.0) {
+    speed("speed/in_scene", graph->fastest, {});
+  }
 }
 
-std::string heading(const Ui& ui, const Session& session, const SpeedWindowMemory& memory) {
+std::string heading(const Ui& ui, const Session& session, const SpeedWindowMemory& memory,
+                    float room) {
   std::string words = fmt::format("{} \u00b7 {} {} \u00b7 {} {} {} {}", ui.words("panel/speed"),
                                   ui.words("position/key"), session.current().key + 1,
                                   ui.words("orientation/short"), session.current().orientation + 1,
                                   ui.words("of"), session.currentKey().orientations.size());
   if (memory.graph) {
     words += " \u00b7 " + ui.words("kind/" + std::string(name(memory.graph->kind)));
+    const std::string unit = measureOf(ui, session, *memory.graph).whole;
+    // Where there is room for it.
+    const std::string longer = words + " \u00b7 " + unit;
+    if (!unit.empty() && ui.textWidth(longer, Weight::kSemibold) <= room) return longer;
   }
   return words;
 }
@@ -294,14 +338,16 @@ Rect curveWithNumbers(Ui& ui, const Rect& room, const Measures& measures, const 
                       SpeedWindowMemory& memory, Actions& actions) {
   const Rect graph{room.x + ui.px(kAxis), room.y, 12 * ui.px(measures.column),
                    ui.px(measures.graph)};
-  speedCurveArea(ui, graph, measures.there, session, memory, actions);
+  const bool tells = measures.there && memory.graph && memory.graph->unit != SectionUnit::kNone;
+  const Measure measure = tells ? measureOf(ui, session, *memory.graph) : Measure{0.0};
+  speedCurveArea(ui, graph, measure.per, session, memory, actions);
   const Rect numbers{graph.x, graph.bottom() + ui.px(4), graph.width, ui.px(kRow)};
   fields(ui, graph, numbers, session, memory, actions);
   const Rect buttons{graph.x, numbers.bottom() + ui.px(6), graph.width, ui.px(kRow)};
   matches(ui, buttons, session, memory, actions);
-  if (measures.there && memory.graph && memory.graph->unit != SectionUnit::kNone) {
-    const std::string unit = perSecond(ui, memory.graph->unit, "/s");
-    ui.text({graph.right() + ui.px(6), numbers.y, ui.px(kThere), numbers.height}, unit,
+  if (tells) {
+    ui.text({graph.right() + ui.px(6), numbers.y, ui.px(kThere), numbers.height},
+            measure.unit + "/s",
             {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall, .mayShorten = true});
   }
   return {graph.x, graph.y, graph.width, buttons.bottom() - graph.y};
@@ -318,7 +364,7 @@ void belowTheCurve(Ui& ui, const Rect& room, const Rect& curve, const Session& s
   Stack numbers(ui, room.x + half + gap, top, room.width - half - gap);
   duration(ui, numbers, session, memory, actions);
   const float below = std::max(eases.y(), numbers.y()) + ui.px(8);
-  lowerGraphs(ui, {room.x, below, room.width, ui.px(kNarrowLower)}, half, memory);
+  lowerGraphs(ui, {room.x, below, room.width, ui.px(kNarrowLower)}, half, session, memory);
 }
 
 }  // namespace
@@ -332,7 +378,7 @@ void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Acti
   const Measures measures = flat ? kFlat : slim ? narrow(std::max(kLeastNarrow, wide)) : kLarge;
   const FloatingFrame frame{
       "speed",         measures.width,
-      measures.height, heading(ui, session, memory),
+      measures.height, heading(ui, session, memory, ui.px(measures.width - 64.0f)),
       std::nullopt,    std::max(ui.px(36), screen.y - ui.px(measures.height + 8))};
   const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
     const Rect curve = curveWithNumbers(ui, room, measures, session, memory, actions);
@@ -346,14 +392,15 @@ void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Acti
       duration(ui, rows, session, memory, actions);
       const float top = curve.bottom() + ui.px(8);
       lowerGraphs(ui, {curve.x, top, curve.width, room.bottom() - top},
-                  std::floor((curve.width - ui.px(16)) / 2), memory);
+                  std::floor((curve.width - ui.px(16)) / 2), session, memory);
       return;
     }
-    const float right = left + ui.px(kRamps + 16);
+    const float right = left + ui.px(kRamps + 12);
     Stack numbers(ui, right, room.y, room.right() - right);
     duration(ui, numbers, session, memory, actions);
     const float top = std::max(rows.y(), numbers.y()) + ui.px(4);
-    lowerGraphs(ui, {left, top, room.right() - left, room.bottom() - top}, ui.px(kRamps), memory);
+    lowerGraphs(ui, {left, top, room.right() - left, room.bottom() - top}, ui.px(kRamps), session,
+                memory);
   });
   if (!stays) actions.run(Command("close-window", "speed"));
 }

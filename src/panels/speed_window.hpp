@@ -31,8 +31,8 @@ struct SpeedWindowMemory {
 void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Actions& actions);
 
 // The part with the curve and its handles: twelve columns, the neighbours' ends in the outer ones.
-// With `there` the speeds in the scene stand at its right.
-void speedCurveArea(Ui& ui, const Rect& rect, bool there, const Session& session,
+// Where `per` is not 0, the speeds themselves stand at its right, in `per` of the graph's unit.
+void speedCurveArea(Ui& ui, const Rect& rect, double per, const Session& session,
                     SpeedWindowMemory& memory, Actions& actions);
 // The middle of a column, 0 to 11, within the width of such an area.
 float speedColumn(const Rect& rect, int column);

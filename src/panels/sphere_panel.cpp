@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The path of the VPN on the unit sphere, seen from the viewport's side, and the flight's measures.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "panels/quantities.hpp"
 #include "panels/right_panels.hpp"
 
 namespace vides {
@@ -180,23 +179,33 @@ void spherePanel(Ui& ui, Stack& column, float bottom, const Session& session, Fl
 float measuresPanelHeight(const Ui& ui) { return panelHeight(ui) + 4 * ui.px(kMeasureRow); }
 
 void measuresPanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs) {
+  const float top = column.y();
+  const LengthUnit unit = lengthUnit(ui, session);
   panel(ui, column, "panel/measures", [&](Stack& rows) {
-    const bool scene = session.display().units == Units::kScene;
-    const double unit = scene ? session.flight().space.halfSize : 1.0;
     const auto& quality = graphs.quality();
     const std::string waiting = "\u2026";
-    const auto row = [&](const char* id, const std::string& value) {
-      ui.valueRow(rows.row(kMeasureRow), id, ui.words(id), value);
+    // With the unit's name where there is room; the caption has it, too.
+    const auto row = [&](const char* id, const std::string& value, const std::string& longer) {
+      const float room = rows.width() - ui.textWidth(ui.words(id)) - ui.px(8);
+      const bool fits = ui.textWidth(longer, Weight::kSemibold) <= room;
+      ui.valueRow(rows.row(kMeasureRow), id, ui.words(id), fits ? longer : value);
     };
     const double seconds =
         static_cast<double>(session.evaluation().frameCount()) / session.flight().frameRate;
-    row("measures/length", ui.number(session.evaluation().length() * unit, 3));
-    row("measures/duration", fmt::format("{} s", ui.number(seconds, 2)));
-    row("measures/speed",
-        quality ? fmt::format("{} /s", ui.number(quality->maxSpeed * unit, 2)) : waiting);
-    row("measures/turn_rate",
-        quality ? fmt::format("{} \u00b0/s", ui.number(quality->maxAngularSpeed, 1)) : waiting);
+    const std::string length = measured(ui, session.evaluation().length() * unit.perCube);
+    row("measures/length", length, withUnit(length, unit.brief));
+    const std::string duration = timeText(ui, seconds, seconds, 2);
+    row("measures/duration", duration, duration);
+    const std::string speed =
+        quality ? measured(ui, quality->maxSpeed * unit.perCube) : std::string();
+    row("measures/speed", quality ? speed + " /s" : waiting,
+        quality ? withUnit(speed, unit.brief + "/s") : waiting);
+    const std::string turning =
+        quality ? withUnit(ui.number(quality->maxAngularSpeed, 1), "\u00b0/s") : waiting;
+    row("measures/turn_rate", turning, turning);
   });
+  const Rect heading{column.x() + ui.px(8), top + ui.px(4), column.width() - ui.px(16), ui.px(24)};
+  ui.text(heading, unit.whole, {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
 }
 
 }  // namespace vides

@@ -12,12 +12,15 @@
 
 #include "edit/timeline_marks.hpp"
 #include "panels/left_panels.hpp"
+#include "panels/quantities.hpp"
+#include "panels/timeline_readout.hpp"
 #include "panels/timeline_runs.hpp"
 
 namespace vides {
 namespace {
 
 constexpr float kLowTimeline = 148.0f;
+constexpr float kShortRow = 560.0f;  // a shorter first row has the legend rather than long labels
 constexpr double kLeastFramesPerPixel = 1.0 / 40.0;
 
 // Frames to pixels and back.
@@ -38,16 +41,16 @@ struct Track {
   bool sees(float px) const { return px >= left - 1.0f && px <= right + 1.0f; }
 };
 
-void transport(Ui& ui, const Rect& row, const Session& session, TimelineView& view,
-               Actions& actions) {
+void transport(Ui& ui, const Rect& row, const Session& session, const FlightGraphs& graphs,
+               TimelineView& view, Actions& actions) {
   float x = row.x;
   const auto place = [&](float width) {
     const Rect result{x, row.y, ui.px(width), row.height};
     x += ui.px(width + 4);
     return result;
   };
-  const auto buttonWidth = [&](const char* id) {
-    return std::ceil(ui.textWidth(ui.words(id), Weight::kSemibold) / ui.scale()) + 18.0f;
+  const auto buttonWidth = [&](const std::string& label) {
+    return std::ceil(ui.textWidth(label, Weight::kSemibold) / ui.scale()) + 18.0f;
   };
   const auto run = [&](const char* command) { actions.run(Command(command)); };
   if (ui.iconButton("timeline/first", place(32), Icon::kFirst, {.command = "first-frame"}))
@@ -59,77 +62,24 @@ void transport(Ui& ui, const Rect& row, const Session& session, TimelineView& vi
   }
   if (ui.iconButton("timeline/last", place(32), Icon::kLast, {.command = "last-frame"}))
     run("last-frame");
-  if (ui.button("timeline/loop", place(buttonWidth("timeline/loop")),
+  if (ui.button("timeline/loop", place(buttonWidth(ui.words("timeline/loop"))),
                 {.on = session.playback().loop(), .toggle = true, .command = "loop"})) {
     run("loop");
   }
-  if (ui.button("timeline/fit", place(buttonWidth("timeline/fit")), {.enabled = !view.fit}))
+  const std::string fit =
+      ui.words(row.width < ui.px(kShortRow) ? "timeline/fit#short" : "timeline/fit");
+  if (ui.button("timeline/fit", place(buttonWidth(fit)), fit, {.enabled = !view.fit}))
     view.fit = true;
   x += ui.px(6);
 
-  // Frame and time, every number in a place of its own width so that nothing moves.
-  const double fps = session.flight().frameRate;
-  const std::int64_t last = session.evaluation().frameCount() - 1;
-  struct Piece {
-    std::string words;
-    int rank;  // what goes first where there is no room for all has the highest
-    Weight weight = Weight::kRegular;
-    std::string widest = {};
-  };
-  const std::string digits(std::to_string(last).size(), '0');
-  const double time = static_cast<double>(session.frame()) / fps;
-  const auto minutes = static_cast<int>(time / 60.0);
-  const std::string clock =
-      fmt::format("{:02}:{}{}", minutes, time - 60.0 * minutes < 10.0 ? "0" : "",
-                  ui.number(std::floor((time - 60.0 * minutes) * 100.0) / 100.0, 2));
-  std::vector<Piece> pieces = {
-      {ui.words("frame_title") + " ", 3},
-      {std::to_string(session.frame()), 0, Weight::kSemibold, digits},
-      {fmt::format(" {} {}", ui.words("of"), last), 1},
-      {"  \u00b7  ", 2},
-      {clock, 2, Weight::kSemibold},
-      {fmt::format("  \u00b7  {} {}", ui.number(fps, fps == std::floor(fps) ? 0 : 2),
-                   ui.words("frames_per_second")),
-       4}};
-  const auto widthOf = [&](const Piece& piece) {
-    return ui.textWidth(piece.widest.empty() ? piece.words : piece.widest, piece.weight);
-  };
-  for (int rank = 4; rank > 0; --rank) {
-    float all = x;
-    for (const Piece& piece : pieces) all += widthOf(piece);
-    if (all <= row.right()) break;
-    std::erase_if(pieces, [&](const Piece& piece) { return piece.rank == rank; });
-  }
-  for (const Piece& piece : pieces) {
-    const bool strong = piece.weight == Weight::kSemibold;
-    ui.text({x, row.y, widthOf(piece), row.height}, piece.words,
-            {.colour = strong ? ColourRole::kText : ColourRole::kTextSecondary,
-             .weight = piece.weight,
-             .align = piece.widest.empty() ? Align::kLeft : Align::kRight});
-    x += widthOf(piece);
-  }
-
-  // The strip's legend at the right: a line in the colour and a word.
-  float right = row.right();
-  const auto legend = [&](ColourRole role, const std::string& words) {
-    const float width = ui.textWidth(words, Weight::kSmall);
-    if (right - width - ui.px(30) < x) return;
-    ui.text({right - width, row.y, width, row.height}, words,
-            {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall});
-    right -= width + ui.px(6);
-    const float y = std::round(row.centreY());
-    ImGui::GetWindowDrawList()->AddLine({right - ui.px(16), y}, {right, y}, ui.colour(role),
-                                        2.0f * ui.scale());
-    right -= ui.px(32);
-  };
-  legend(ColourRole::kAim, ui.words("timeline/turn_rate"));
-  legend(ColourRole::kCurve, ui.words("timeline/speed"));
+  timelineReadout(ui, {x, row.y, row.right() - x, row.height}, session, graphs);
 }
 
 void ruler(Ui& ui, const Rect& row, const Track& track, double fps) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double step = rulerStep(track.framesPerPixel, fps, static_cast<double>(ui.px(72)));
   const bool inSeconds = step >= fps;
+  const double span = static_cast<double>(track.frames) / fps;
   const int parts = inSeconds && std::fmod(step / fps, 5.0) != 0.0 && step / fps != 1.0 ? 2 : 5;
   const double least = step / parts;
   const auto from = static_cast<std::int64_t>(std::ceil(track.firstFrame / least - 1e-9));
@@ -142,10 +92,9 @@ void ruler(Ui& ui, const Rect& row, const Track& track, double fps) {
     list.AddLine({x, row.bottom() - ui.px(strong ? 10 : 5)}, {x, row.bottom()},
                  ui.colour(strong ? ColourRole::kCube : ColourRole::kBorder), 1.0f);
     if (!strong) continue;
-    const double seconds = frame / fps;
-    const std::string words =
-        inSeconds ? fmt::format("{} s", ui.number(seconds, 0))
-                  : fmt::format("{}", static_cast<std::int64_t>(std::llround(frame)));
+    const std::string words = inSeconds
+                                  ? timeText(ui, std::round(frame / fps), span, 0)
+                                  : grouped(ui, static_cast<std::int64_t>(std::llround(frame)));
     const float width = ui.textWidth(words, Weight::kSmall);
     if (x + ui.px(4) + width > row.right()) continue;
     ui.text({x + ui.px(4), row.y, width, row.height - ui.px(8)}, words,
@@ -263,17 +212,19 @@ void sections(Ui& ui, const Rect& row, const Track& track, const Session& sessio
     const float right =
         std::min(track.right, std::max(whole, left + static_cast<float>(kLeastApart)));
     if (whole < track.left || left >= track.right) return;
-    const bool narrow = right - left <= 3.0f * ui.scale();
-    const float gap = narrow ? 0.0f : 0.5f * ui.scale();
-    const Rect bar{left + gap, row.y, right - left - 2 * gap, row.height};
+    // They grow together bit by bit where they are narrow.
+    const float apart = std::clamp((right - left) / ui.scale() / 4.0f - 0.75f, 0.0f, 1.0f);
+    const Rect bar{left, row.y, right - left, row.height};
     const bool hovered = state.hovered && pointer >= left && pointer < right;
-    bars.add(bar, section.kind, narrow, hovered);
+    bars.add(bar, section.kind, apart, hovered);
     const bool current = section.from == session.current() && section.kind != SectionKind::kHold;
     if (current) currentBar = bar;
-    const std::string words = narrow ? std::string() : kindWord(ui, section.kind);
-    if (!words.empty() && ui.textWidth(words, Weight::kSmall) + ui.px(12) <= bar.width) {
+    const std::string words = kindWord(ui, section.kind);
+    if (ui.textWidth(words, Weight::kSmall) + ui.px(12) <= bar.width) {
       ui.text({bar.x + ui.px(6), bar.y, bar.width - ui.px(12), bar.height}, words,
               {.weight = Weight::kSmall});
+    } else {
+      kindGlyph(ui, bar, section.kind);
     }
     if (hovered && state.released && !dragged) {
       actions.run(Command("make-current", section.from.key, section.from.orientation));
@@ -434,7 +385,7 @@ void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraph
   // Where it is low, the rows give what they can to the strip.
   const bool low = rect.height < ui.px(kLowTimeline);
   const Rect row{rect.x + ui.px(8), rect.y + ui.px(6), rect.width - ui.px(16), ui.px(22)};
-  transport(ui, row, session, view, actions);
+  transport(ui, row, session, graphs, view, actions);
   Track track;
   track.left = rect.x + ui.px(18);
   track.right = std::max(track.left + 1.0f, rect.right() - ui.px(18));

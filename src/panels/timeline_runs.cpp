@@ -4,28 +4,97 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <numbers>
 
 namespace vides {
 
-void BarRuns::add(const Rect& bar, SectionKind kind, bool narrow, bool hovered) {
-  const bool joins = run_ && narrow && !hovered && kind == kind_ && bar.x <= run_->right() + 0.5f;
+void BarRuns::add(const Rect& bar, SectionKind kind, float apart, bool hovered) {
+  const bool alone = apart >= 1.0f || hovered;
+  const bool joins = run_ && !alone && kind == kind_ && bar.x <= run_->right() + 0.5f;
   if (joins) {
     run_->width = bar.right() - run_->x;
-    return;
+  } else {
+    end();
+    // At once, since its words come on top of it.
+    if (alone) {
+      const float gap = 0.5f * ui_.scale();
+      const float round = std::clamp(bar.width / (7.0f * ui_.scale()) - 1.0f, 0.0f, 1.0f);
+      ui_.fill({bar.x + gap, bar.y, bar.width - 2.0f * gap, bar.height}, roleOf(kind), 2.0f * round,
+               hovered ? 1.0 : 0.85);
+      return;
+    }
+    run_ = bar;
+    kind_ = kind;
   }
-  end();
-  // At once, since its words come on top of it.
-  if (hovered || !narrow) {
-    ui_.fill(bar, roleOf(kind), 2.0f, hovered ? 1.0 : 0.85);
-    return;
-  }
-  run_ = bar;
-  kind_ = kind;
+  if (apart > 0.0f) joints_.push_back({bar.x, apart});
 }
 
 void BarRuns::end() {
-  if (run_) ui_.fill(*run_, roleOf(kind_), 2.0f, 0.85);
+  if (!run_) return;
+  const Rect whole = *run_;
   run_.reset();
+  ui_.fill(whole, roleOf(kind_), 0.0f, 0.85);
+  const float width = std::max(1.0f, std::round(ui_.scale()));
+  for (const auto& [x, apart] : joints_) {
+    const float left = std::round(x - 0.5f * width);
+    ui_.fill({left, whole.y, width, whole.height}, ColourRole::kColumn, 0.0f,
+             static_cast<double>(apart));
+  }
+  joints_.clear();
+}
+
+void kindGlyph(Ui& ui, const Rect& bar, SectionKind kind) {
+  const float room = (bar.width - 3.0f * ui.scale()) / 8.0f;
+  if (room < 0.7f * ui.scale()) return;
+  const float s = std::min(ui.scale(), room);
+  const float half = 4.0f * s;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 ink = ui.colour(ColourRole::kText);
+  const float width = 1.4f * s;
+  const float x = std::round(bar.centreX()), y = std::round(bar.centreY());
+  const auto stroke = [&](std::initializer_list<ImVec2> points) {
+    list.AddPolyline(points.begin(), static_cast<int>(points.size()), ink, 0, width);
+  };
+  const auto arc = [&](ImVec2 centre, float radius, float from, float to) {
+    list.PathArcTo(centre, radius, from, to, 20);
+    list.PathStroke(ink, 0, width);
+  };
+  // A filled tip at `at` that shows in a direction (radians, clockwise from the right).
+  const auto tip = [&](ImVec2 at, float direction, float size) {
+    const ImVec2 ahead(std::cos(direction) * size, std::sin(direction) * size);
+    const ImVec2 aside(-ahead.y, ahead.x);
+    list.AddTriangleFilled({at.x + ahead.x, at.y + ahead.y},
+                           {at.x - 0.4f * ahead.x + aside.x, at.y - 0.4f * ahead.y + aside.y},
+                           {at.x - 0.4f * ahead.x - aside.x, at.y - 0.4f * ahead.y - aside.y}, ink);
+  };
+  constexpr float kPi = std::numbers::pi_v<float>;
+  switch (kind) {
+    case SectionKind::kMove:
+      stroke({{x - half, y}, {x + half - s, y}});
+      stroke({{x + half - 3.0f * s, y - 3.0f * s},
+              {x + half, y},
+              {x + half - 3.0f * s, y + 3.0f * s}});
+      break;
+    case SectionKind::kPan:
+      // Around the camera, which stands below.
+      list.AddCircleFilled({x, y + 3.0f * s}, 1.3f * s, ink);
+      arc({x, y + 3.0f * s}, 1.25f * half, 1.22f * kPi, 1.72f * kPi);
+      tip({x + 3.4f * s, y - 0.6f * s}, 0.28f * kPi, 2.6f * s);
+      break;
+    case SectionKind::kRoll:
+      arc({x, y}, half - 0.4f * s, -0.35f * kPi, 1.25f * kPi);
+      tip({x - 2.4f * s, y - 2.8f * s}, -0.22f * kPi, 2.4f * s);
+      break;
+    case SectionKind::kZoom:
+      list.AddRect({x - half, y - half}, {x + half, y + half}, ink, 0.0f, 0, width);
+      list.AddRectFilled({x - 1.5f * s, y - 1.5f * s}, {x + 1.5f * s, y + 1.5f * s}, ink);
+      break;
+    case SectionKind::kHold:
+      list.AddRectFilled({x - 3.0f * s, y - half}, {x - 1.0f * s, y + half}, ink);
+      list.AddRectFilled({x + 1.0f * s, y - half}, {x + 3.0f * s, y + half}, ink);
+      break;
+  }
 }
 
 void MarkRuns::add(float x, bool isKey, bool ringed, ColourRole role) {

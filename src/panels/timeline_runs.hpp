@@ -5,25 +5,32 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "evaluate/section.hpp"
 #include "panels/ui.hpp"
 
 namespace vides {
 
-// Bars of sections; narrow ones of a kind, which touch each other, as one.
+// Bars of sections; narrow ones of a kind, which grow together, as one.
 class BarRuns {
  public:
   explicit BarRuns(Ui& ui) : ui_(ui) {}
-  void add(const Rect& bar, SectionKind kind, bool narrow, bool hovered);
+  // `apart`: how much of the gap between it and the one before is seen, from 0 (they touch) to 1.
+  void add(const Rect& bar, SectionKind kind, float apart, bool hovered);
   // Draws what is left; call it after the last one.
   void end();
 
  private:
   Ui& ui_;
   std::optional<Rect> run_;
+  std::vector<std::pair<float, float>> joints_;  // of the run: x, apart
   SectionKind kind_ = SectionKind::kMove;
 };
+
+// What a section does, as a sign in the middle of its bar; nothing where the bar is too narrow.
+void kindGlyph(Ui& ui, const Rect& bar, SectionKind kind);
 
 // Marks of keys and orientations, smaller where they would touch; equal ones that lie one over the
 // other, as one long one.

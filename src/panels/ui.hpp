@@ -68,6 +68,7 @@ struct FieldStyle {
   bool enabled = true;
   bool readOnly = false;  // shown like text, without a ground
   Weight weight = Weight::kRegular;
+  bool centred = false;  // else at the right, in line with numbers above and below
 };
 
 // The triangles and bars that the typeface lacks.
@@ -152,6 +153,7 @@ class Ui {
   // With the decimal sign of the language and a real minus.
   std::string number(double value, int decimals) const;
 
+  const Fonts& fonts() const { return setting_.fonts; }
   ImFont* font(Weight weight) const;
   float textWidth(std::string_view text, Weight weight = Weight::kRegular) const;
   // In the middle of the box's height, kept inside its width and told to the registry.
@@ -228,7 +230,8 @@ class Ui {
   void registerWidget(std::string_view id, std::string_view label, WidgetKind kind,
                       const Rect& rect, bool enabled, std::string_view value, std::string tip = {});
   void ground(const Rect& rect, const Press& press, const ButtonStyle& style);
-  // What is told of a widget: what it does, and by which keys.
+  // What is told of a widget: what it does, and by which keys; of a greyed one why it is, where the
+  // table says so (tip/AREA/NAME#greyed).
   std::string tip(std::string_view id, const ButtonStyle& style = {}) const;
   void tooltip(std::string_view id, const Press& press, const ButtonStyle& style = {});
   std::optional<std::string> textEditor(std::string_view id, const Rect& rect, bool& ended);

@@ -55,13 +55,18 @@ Ui::Press Ui::press(std::string_view id, const Rect& rect, WidgetKind, bool enab
 }
 
 std::string Ui::tip(std::string_view id, const ButtonStyle& style) const {
-  std::string told = style.tooltip.empty() ? words("tip/" + std::string(id)) : style.tooltip;
+  const std::string key = "tip/" + std::string(id);
+  if (!style.enabled) {
+    const std::string why = words(key + "#greyed");
+    if (!why.empty()) return why;
+  }
+  std::string told = style.tooltip.empty() ? words(key) : style.tooltip;
   if (style.command.empty()) return told;
   if (told.empty()) {
-    std::string key = "command." + style.command;
-    std::replace(key.begin(), key.end(), ' ', '.');
-    told = words(key);
-    if (told.empty()) told = words(key.substr(0, key.find('.', sizeof "command.")));
+    std::string title = "command." + style.command;
+    std::replace(title.begin(), title.end(), ' ', '.');
+    told = words(title);
+    if (told.empty()) told = words(title.substr(0, title.find('.', sizeof "command.")));
   }
   const std::string keys = setting_.hint(style.command);
   return keys.empty() ? told : told + "  (" + keys + ")";
@@ -293,9 +298,9 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
     text({inside.x, inside.y, inside.width - room - px(2), inside.height}, style.prefix,
          {.colour = ColourRole::kTextSecondary});
   }
-  text({inside.right() - std::min(room, inside.width), inside.y, std::min(room, inside.width),
-        inside.height},
-       tail,
+  const float taken = std::min(room, inside.width);
+  const float left = (inside.width - taken) * (style.centred ? 0.5f : 1.0f);
+  text({inside.x + left, inside.y, taken, inside.height}, tail,
        {.colour = style.enabled ? ColourRole::kText : ColourRole::kTextDisabled,
         .weight = style.weight,
         .align = Align::kRight,

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "app/drive/player.hpp"
 #include "edit/camera_tools.hpp"
@@ -473,6 +474,15 @@ Flight spiral(int count) {
   return flight;
 }
 
+// "31.12 s", "1:04.52", "2:21:17.80"
+double secondsOf(const std::string& words) {
+  double seconds = 0.0;
+  std::istringstream parts(words);
+  for (std::string part; std::getline(parts, part, ':');)
+    seconds = 60.0 * seconds + std::stod(part);
+  return seconds;
+}
+
 // What a drag has changed is shown in the display frame of the pointer's event: curve, length,
 // frames.
 TEST(Editor, EverythingFollowsADragInTheSameDisplayFrame) {
@@ -488,9 +498,7 @@ TEST(Editor, EverythingFollowsADragInTheSameDisplayFrame) {
     ASSERT_TRUE(player.perform(Command("make-current", static_cast<int>(key), 0)));
     for (int i = 0; i < 5; ++i) player.frame();
     const Session& session = player.editor().session();
-    const auto measure = [&](const char* id) {
-      return std::stod(player.editor().widgets().find(id)->value);
-    };
+    const auto measure = [&](const char* id) { return player.editor().widgets().find(id)->value; };
     const Rect rect = player.editor().viewport();
     const auto seen = [&] {
       const Picture all = one.host->picture().value();
@@ -518,8 +526,12 @@ TEST(Editor, EverythingFollowsADragInTheSameDisplayFrame) {
       ASSERT_NE(session.flight().keys[key].position, from);
       const Evaluation fresh(session.flight());
       const double frames = static_cast<double>(fresh.frameCount());
-      EXPECT_NEAR(measure("measures/length"), fresh.length(), 0.00051) << by;
-      EXPECT_NEAR(measure("measures/duration"), frames / session.flight().frameRate, 0.0051) << by;
+      EXPECT_NEAR(std::stod(measure("measures/length")), fresh.length(),
+                  count == 2 ? 5.1e-4 : 0.051)
+          << by;
+      EXPECT_NEAR(secondsOf(measure("measures/duration")), frames / session.flight().frameRate,
+                  0.0101)
+          << by;
       const auto now = seen();
       EXPECT_NE(now, before) << by;
       // Nothing comes later.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Lengths, speeds and times as the instruments tell them: one form for each, wherever it stands.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "edit/session.hpp"
+#include "panels/ui.hpp"
+
+namespace vides {
+
+// What lengths and speeds are shown in: the unit that is chosen for positions.
+struct LengthUnit {
+  double perCube = 1.0;  // of these in a cube unit
+  std::string brief;     // "units"
+  std::string whole;     // "cube units", "scene units"
+};
+LengthUnit lengthUnit(const Ui& ui, const Session& session);
+
+// With a narrow space between thousands, from five digits on.
+std::string grouped(const Ui& ui, double value, int decimals);
+std::string grouped(const Ui& ui, std::int64_t value);
+
+// Decimals of a length or speed whose size is `most`.
+int decimalsFor(double most);
+// A length, a speed or the like with as many decimals as its size asks for.
+std::string measured(const Ui& ui, double value);
+// "0.404 units/s", "63.7 °/s", "45°", "0.404 /s"
+std::string withUnit(const std::string& number, const std::string& unit);
+
+// A time of a flight that is `span` seconds long: "31.12 s", from a minute on "1:04.52", from an
+// hour on "2:21:17.80", rounded down; the form is that of the span, and none is longer than it.
+std::string timeText(const Ui& ui, double seconds, double span, int decimals);
+// The same with zeros in front, so that all times of a flight are as long: with a decimal at least.
+std::string paddedTime(const Ui& ui, double seconds, double span, int decimals);
+
+}  // namespace vides
