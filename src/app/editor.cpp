@@ -142,6 +142,7 @@ void Editor::Parts::apply(const Actions& actions) {
     if (step.phase == Phase::kCommit) session.commit();
     if (step.phase == Phase::kCancel) session.cancel();
   }
+  if (actions.refusal) session.say(MessageKind::kRefusal, *actions.refusal);
   if (actions.noNumber) {
     session.say(MessageKind::kRefusal, Text("refusal.no-number", {*actions.noNumber}));
   }
@@ -217,8 +218,8 @@ bool Editor::Parts::pass(const FrameInput& given) {
       tools.hover(viewportPlace(), overViewport ? std::optional(pointerAt) : std::nullopt);
   pointer = pointerShape(ImGui::GetMouseCursor());
   const EditorView view = session.view().view;
-  const bool changed = !actions.steps.empty() || actions.noNumber || actions.layout ||
-                       (actions.view && *actions.view != view);
+  const bool changed = !actions.steps.empty() || actions.noNumber || actions.refusal ||
+                       actions.layout || (actions.view && *actions.view != view);
   apply(actions);
   if (options.waitForWork) session.finishFrames();
   if (actions.view) {

@@ -360,6 +360,9 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
   }
   ImGui::End();
   if (session.layout().bare) return;
+  // Windows keep a margin, which a screen without room for it makes less.
+  const float margin = std::min(ui.px(8), std::floor(std::min(size.x, size.y) / 50.0f));
+  ui.setWorkArea(below({0.0f, 0.0f, size.x, size.y}, top).inset(margin));
   pointerSigns(ui);
   windows(ui, session, texts, windowsMemory, actions);
 }

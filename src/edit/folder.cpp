@@ -3,11 +3,13 @@
 #include "edit/folder.hpp"
 
 #include <fnmatch.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 namespace vides {
 namespace {
@@ -54,28 +56,48 @@ bool fitsFilter(std::string_view name, std::string_view filter) {
   return !any;
 }
 
+void sortEntries(std::vector<FolderEntry>& entries, const FolderOrder& order) {
+  using By = FolderOrder::By;
+  const auto byName = [](const FolderEntry& a, const FolderEntry& b) {
+    return std::make_tuple(lowered(a.name), std::string_view(a.name)) <
+           std::make_tuple(lowered(b.name), std::string_view(b.name));
+  };
+  const auto before = [&](const FolderEntry& a, const FolderEntry& b) {
+    if (order.by == By::kSize && a.bytes != b.bytes) return a.bytes < b.bytes;
+    if (order.by == By::kDate && a.changed != b.changed) return a.changed < b.changed;
+    return byName(a, b);
+  };
+  std::sort(entries.begin(), entries.end(), [&](const FolderEntry& a, const FolderEntry& b) {
+    if (a.folder != b.folder) return a.folder;
+    if (a.folder && order.by == By::kSize) return byName(a, b);
+    return order.descending ? before(b, a) : before(a, b);
+  });
+}
+
 tl::expected<std::vector<FolderEntry>, std::string> readFolder(const fs::path& folder,
-                                                               std::string_view filter) {
+                                                               std::string_view filter,
+                                                               const FolderOrder& order) {
   const bool hidden = filter.starts_with('.');
   std::error_code error;
   std::vector<FolderEntry> entries;
   fs::directory_iterator each(folder, error);
   // The next entry can fail as well, on a disk that goes away.
   for (; !error && each != fs::directory_iterator(); each.increment(error)) {
-    std::error_code unknown;
     const std::string name = each->path().filename().string();
     if (name.starts_with('.') && !hidden) continue;
-    if (each->is_directory(unknown)) {
-      entries.push_back({name, true});
-      continue;
+    struct stat found {};
+    // A link to nothing is listed all the same.
+    const bool known = stat(each->path().c_str(), &found) == 0;
+    FolderEntry entry{name, known && S_ISDIR(found.st_mode)};
+    if (!entry.folder && !fitsFilter(name, filter)) continue;
+    if (known) {
+      if (!entry.folder) entry.bytes = static_cast<std::uintmax_t>(found.st_size);
+      entry.changed = found.st_mtim.tv_sec;
     }
-    if (fitsFilter(name, filter)) entries.push_back({name, false});
+    entries.push_back(std::move(entry));
   }
   if (error) return tl::unexpected(error.message());
-  std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
-    return std::make_tuple(!a.folder, lowered(a.name), a.name) <
-           std::make_tuple(!b.folder, lowered(b.name), b.name);
-  });
+  sortEntries(entries, order);
   return entries;
 }
 

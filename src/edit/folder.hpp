@@ -2,7 +2,10 @@
 // What is in a folder, as the file chooser lists it.
 #pragma once
 
+#include <cstdint>
+#include <ctime>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -13,18 +16,31 @@ namespace vides {
 struct FolderEntry {
   std::string name;
   bool folder = false;
+  std::uintmax_t bytes = 0;                 // of a file
+  std::optional<std::time_t> changed = {};  // when; absent where the system doesn't say
   bool operator==(const FolderEntry&) const = default;
 };
+
+// Folders stay before files, whichever way they are sorted; what is equal goes by name.
+struct FolderOrder {
+  enum class By { kName, kSize, kDate };
+  By by = By::kName;
+  bool descending = false;
+  bool operator==(const FolderOrder&) const = default;
+};
+// By name without regard to case. Folders have no size: sorted by it, they go by name.
+void sortEntries(std::vector<FolderEntry>& entries, const FolderOrder& order);
 
 // Whether a file's name fits a filter: patterns with * and ?, blanks, commas or semicolons between
 // them, one of which has to fit, in any case of letters (of ASCII). A word without * and ? fits
 // where it occurs; no pattern at all fits every name.
 bool fitsFilter(std::string_view name, std::string_view filter);
 
-// Folders first, then the files that fit the filter; both by name, without regard to case. What
-// begins with a dot is left out, unless the filter begins with one. Error: the system's words.
+// Folders first, then the files that fit the filter, in this order. What begins with a dot is left
+// out, unless the filter begins with one. Error: the system's words.
 tl::expected<std::vector<FolderEntry>, std::string> readFolder(const std::filesystem::path& folder,
-                                                               std::string_view filter);
+                                                               std::string_view filter,
+                                                               const FolderOrder& order = {});
 
 // A typed name in a folder: absolute paths and "~/" stand for themselves; without "." and "..".
 std::filesystem::path typedPath(const std::filesystem::path& folder, std::string_view typed);

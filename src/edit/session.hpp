@@ -126,6 +126,8 @@ class Session {
   const std::string& path() const { return file_.path(); }
   // Whether closing would lose something.
   bool modified() const { return modified_ || missingOnDisk_; }
+  // Whether the file is another than what was read or saved last, or has been edited since.
+  bool differsFromFile() const { return modified() || toldOfDisk_; }
   // Name of the file (or "untitled") and a mark where it is modified.
   Text title() const;
   const std::vector<std::string>& recentFiles() const { return recentFiles_; }

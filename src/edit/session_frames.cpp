@@ -92,7 +92,7 @@ Result SessionActions::writeFrames(Session& session, const Arguments&) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(file, error)) && file != session.framesAgreed_) {
     session.question_ = Question{Question::Kind::kFramesExist,
-                                 Text("chooser.overwrite", {fileName(file)}),
+                                 Text("question.frames-exist", {fileName(file)}),
                                  {"overwrite", "cancel"}};
     session.afterAnswer_ = Command("write-frames");
     session.output_ = {};  // of what was refused before

@@ -23,6 +23,7 @@ struct Actions {
   };
   std::vector<Step> steps;
   std::optional<std::string> noNumber;  // what was typed where a number belongs
+  std::optional<Text> refusal;          // of something else that was typed
   std::optional<Layout> layout;
   std::optional<EditorView> view;  // at once; no step of the history
 

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "panels/chooser_list.hpp"
 #include "panels/window_frame.hpp"
 
 namespace vides {
@@ -79,7 +80,7 @@ std::string filterOf(const Kind& kind) {
 }
 
 void enter(ChooserMemory& memory, const fs::path& folder) {
-  const auto read = readFolder(folder, memory.filter);
+  const auto read = readFolder(folder, memory.filter, memory.order);
   if (!read) {
     memory.trouble = folder.string() + ": " + read.error();
     return;
@@ -99,8 +100,10 @@ void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::str
   fs::path folder = memory.folder;
   if (!session.path().empty()) folder = fs::absolute(session.path(), error).parent_path();
   if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
+  const FolderOrder order = memory.order;
   memory = ChooserMemory();
   memory.window = window;
+  memory.order = order;
   memory.filter = filterOf(kindOf(memory));
   memory.before = session.output();
   if (*kindOf(memory).name != '\0') {
@@ -182,7 +185,10 @@ void select(ChooserMemory& memory, int index) {
 
 void keys(Ui& ui, ChooserMemory& memory, Actions& actions) {
   if (pressed(ImGuiKey_Escape)) return giveUp(memory, actions);
-  if (ui.enterPressed()) return accept(ui, memory, actions);
+  // Enter overwrites nothing.
+  if (ui.enterPressed()) {
+    return memory.mode == Mode::kOverwrite ? giveUp(memory, actions) : accept(ui, memory, actions);
+  }
   const int last = static_cast<int>(memory.entries.size()) - 1;
   if (memory.mode != Mode::kChoose || last < 0) return;
   const int step =
@@ -221,66 +227,20 @@ void places(Ui& ui, const Rect& row, const Session& session, ChooserMemory& memo
   }
 }
 
-void list(Ui& ui, const Rect& box, ChooserMemory& memory, Actions& actions) {
-  ui.fill(box, ColourRole::kField, 3.0f);
-  ui.edge(box);
-  if (memory.entries.empty()) {
-    ui.text({box.x + ui.px(8), box.y, box.width - ui.px(16), ui.px(kRow)},
-            ui.tell(Text("chooser.nothing-fits", {memory.filter})),
-            {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+// Labels of fields stand in one column.
+float labelColumn(const Ui& ui) {
+  float width = 0.0f;
+  for (const char* label : {"chooser/folder", "chooser/name", "chooser/folder_name"}) {
+    width = std::max(width, ui.textWidth(ui.words(label)));
   }
-  ImGui::SetCursorScreenPos({box.x, box.y});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-  // Another folder begins at its top.
-  const std::string id = "###chooser/list/" + memory.folder.string();
-  ImGui::BeginChild(id.c_str(), {box.width, box.height}, false, ImGuiWindowFlags_NoNav);
-  ImGui::PopStyleVar();
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  const float height = ui.px(kRow);
-  std::optional<int> chosen;
-  for (int i = 0; i < static_cast<int>(memory.entries.size()); ++i) {
-    const FolderEntry& entry = memory.entries[static_cast<std::size_t>(i)];
-    const Rect row{from.x, from.y + static_cast<float>(i) * height, width, height};
-    const auto state = ui.area("chooser/file_" + std::to_string(i), row, entry.name);
-    const bool on = i == memory.selected;
-    if (on || state.hovered) {
-      ui.fill(row, on ? ColourRole::kControlActive : ColourRole::kControlHovered, 3.0f);
-    }
-    if (ImGui::IsRectVisible({row.x, row.y}, {row.right(), row.bottom()})) {
-      const Rect words{row.x + ui.px(8), row.y, row.width - ui.px(32), row.height};
-      ui.text(words, entry.name,
-              {.weight = on ? Weight::kSemibold : Weight::kRegular, .mayShorten = true});
-      if (entry.folder) {
-        ui.icon(Icon::kChevronRight, {row.right() - ui.px(20), row.y, ui.px(16), row.height},
-                ColourRole::kTextSecondary);
-      }
-    }
-    if (state.pressed) select(memory, i);
-    if (state.doubleClicked) chosen = i;
-  }
-  ImGui::SetCursorScreenPos(from);
-  ImGui::Dummy({1.0f, std::max(1.0f, height * static_cast<float>(memory.entries.size()))});
-  if (memory.reveal && memory.selected >= 0) {
-    const float top = static_cast<float>(memory.selected) * height;
-    if (top < ImGui::GetScrollY()) ImGui::SetScrollY(top);
-    if (top + height > ImGui::GetScrollY() + box.height)
-      ImGui::SetScrollY(top + height - box.height);
-  }
-  memory.reveal = false;
-  ImGui::EndChild();
-  // What it does may change the list.
-  if (chosen) {
-    select(memory, *chosen);
-    accept(ui, memory, actions);
-  }
+  return std::ceil(width + ui.px(8));
 }
 
 // Where one is, which can be typed, and which files of it the list shows.
 void folderAndFilter(Ui& ui, const Rect& row, ChooserMemory& memory) {
   const std::string folder = ui.words("chooser/folder"), filter = ui.words("chooser/filter");
   const float gap = ui.px(8), filterWidth = std::round(row.width * 0.24f);
-  const float folderLabel = std::ceil(ui.textWidth(folder) + gap);
+  const float folderLabel = labelColumn(ui);
   const float filterLabel = std::ceil(ui.textWidth(filter) + gap);
   const Rect patterns{row.right() - filterWidth, row.y, filterWidth, row.height};
   const Rect path{row.x + folderLabel, row.y,
@@ -302,7 +262,7 @@ void folderAndFilter(Ui& ui, const Rect& row, ChooserMemory& memory) {
 void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
   const bool folder = memory.mode == Mode::kNameFolder;
   const std::string label = ui.words(folder ? "chooser/folder_name" : "chooser/name");
-  const float labelWidth = ui.textWidth(label) + ui.px(8);
+  const float labelWidth = labelColumn(ui);
   ui.text({row.x, row.y, labelWidth, row.height}, label, {.colour = ColourRole::kTextSecondary});
   const Rect box{row.x + labelWidth, row.y, row.width - labelWidth, row.height};
   ui.fill(box, ColourRole::kField, 3.0f);
@@ -340,9 +300,9 @@ void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
 // What is wrong, the question whether to overwrite, or nothing; and the two buttons.
 void lastRow(Ui& ui, const Rect& row, const Session& session, ChooserMemory& memory,
              Actions& actions) {
-  const float each = ui.px(110);
-  const Rect ok{row.right() - each, row.y, each, row.height};
-  const Rect cancel{ok.x - each - ui.px(8), row.y, each, row.height};
+  const std::vector<Rect> places = lastButtons(ui, row, 2);
+  const Rect& cancel = places[0];
+  const Rect& ok = places[1];
   std::string words = memory.trouble;
   const OutputLine output = session.output();
   const bool wrong = output.kind == MessageKind::kError || output.kind == MessageKind::kRefusal;
@@ -359,9 +319,10 @@ void lastRow(Ui& ui, const Rect& row, const Session& session, ChooserMemory& mem
                            : memory.mode == Mode::kNameFolder ? "chooser.create"
                                                               : kindOf(memory).verb;
   const bool named = memory.selected >= 0 || !memory.name.empty();
-  if (ui.button("chooser/cancel", cancel, ButtonStyle{})) {
+  if (ui.button("chooser/cancel", cancel, {.enter = asks})) {
     giveUp(memory, actions);
-  } else if (ui.button("chooser/ok", ok, ui.words(verb), {.enabled = named, .enter = named})) {
+  } else if (ui.button("chooser/ok", ok, ui.words(verb),
+                       {.enabled = named, .enter = named && !asks})) {
     accept(ui, memory, actions);
   }
 }
@@ -383,22 +344,29 @@ void chooser(Ui& ui, const Session& session, ChooserMemory& memory, Actions& act
   const bool typing = !ui.memory().editing.empty();  // and so are those of a field
   if (!asked && !memory.questionWas && !typing) keys(ui, memory, actions);
   memory.questionWas = asked;
-  const WindowFrame frame{"###chooser", 680.0f, 520.0f, ui.words(kindOf(memory).heading),
-                          !asked,       true,   false,  480.0f,
-                          280.0f};
-  windowFrame(ui, frame, [&](const Rect& room) {
-    Stack rows(ui, room.x, room.y, room.width);
-    places(ui, rows.row(kRow), session, memory);
-    rows.gap(4);
-    folderAndFilter(ui, rows.row(kRow), memory);
-    rows.gap(4);
-    const float below = ui.px(2 * kRow + 16);
-    list(ui, {room.x, rows.y(), room.width, room.bottom() - below - rows.y()}, memory, actions);
-    nameField(ui, {room.x, room.bottom() - below + ui.px(8), room.width, ui.px(kRow)},
-              !asked && ui.memory().editing.empty(), memory);
-    lastRow(ui, {room.x, room.bottom() - ui.px(kRow), room.width, ui.px(kRow)}, session, memory,
-            actions);
-  });
+  WindowFrame frame{"###chooser", 680.0f, 520.0f, ui.words(kindOf(memory).heading), !asked};
+  frame.modal = true;
+  frame.leastWidth = 464.0f;
+  frame.leastHeight = 300.0f;
+  frame.close = "chooser/close";
+  const bool stays = windowFrame(
+      ui, frame,
+      [&](const Rect& room) {
+        Stack rows(ui, room.x, room.y, room.width);
+        places(ui, rows.row(kRow), session, memory);
+        rows.gap(4);
+        folderAndFilter(ui, rows.row(kRow), memory);
+        rows.gap(4);
+        const float below = ui.px(kRow + 8);
+        const Rect box{room.x, rows.y(), room.width, room.bottom() - below - rows.y()};
+        const ChooserClick click = chooserList(ui, box, memory);
+        if (click.entry >= 0) select(memory, click.entry);
+        if (click.twice) accept(ui, memory, actions);
+        nameField(ui, {room.x, room.bottom() - ui.px(kRow), room.width, ui.px(kRow)},
+                  !asked && ui.memory().editing.empty(), memory);
+      },
+      [&](const Rect& row) { lastRow(ui, row, session, memory, actions); });
+  if (!stays) actions.run(Command("close-window", memory.window));
 }
 
 }  // namespace vides

@@ -20,6 +20,7 @@ struct ChooserMemory {
   std::string window;  // of the session; empty where none is open
   std::filesystem::path folder;
   std::string filter;  // patterns that the files in the list fit
+  FolderOrder order;   // kept from one choice to the next, as the folder
   std::vector<FolderEntry> entries;
   std::string name;         // in the name field
   std::string nameBefore;   // while a new folder is being named

@@ -34,12 +34,14 @@ void range(Form& form, const Session& session, Actions& actions) {
     actions.run(Command("frames-range"));
   }
   const std::int64_t last = std::min(options.last, frames) - 1;
-  actions.typed(ui.field("frames/first", boxes[1], static_cast<double>(options.first),
-                         {.decimals = 0, .prefix = ui.words("frames/from")}),
-                [&](double value) { return Command("frames-range", value, last + 1); });
-  actions.typed(ui.field("frames/last", boxes[2], static_cast<double>(last),
-                         {.decimals = 0, .prefix = ui.words("frames/to")}),
-                [&](double value) { return Command("frames-range", options.first, value + 1.0); });
+  actions.typed(
+      ui.field("frames/first", boxes[1], static_cast<double>(options.first),
+               {.decimals = 0, .prefix = ui.words("frames/from"), .weight = Weight::kSemibold}),
+      [&](double value) { return Command("frames-range", value, last + 1); });
+  actions.typed(
+      ui.field("frames/last", boxes[2], static_cast<double>(last),
+               {.decimals = 0, .prefix = ui.words("frames/to"), .weight = Weight::kSemibold}),
+      [&](double value) { return Command("frames-range", options.first, value + 1.0); });
 }
 
 void numbering(Form& form, const FrameOptions& options, Actions& actions) {
@@ -47,7 +49,7 @@ void numbering(Form& form, const FrameOptions& options, Actions& actions) {
   const auto boxes = split(ui, form.row("frames/first_number"), 3);
   const bool chan = options.format == FrameFormat::kChan;
   actions.typed(ui.field("frames/first_number", boxes[0], static_cast<double>(options.firstNumber),
-                         {.decimals = 0, .enabled = chan}),
+                         {.decimals = 0, .enabled = chan, .weight = Weight::kSemibold}),
                 [](double value) { return Command("frames-first-number", value); });
   ui.text({boxes[1].x + ui.px(4), boxes[1].y, boxes[2].right() - boxes[1].x - ui.px(4),
            boxes[1].height},
@@ -91,9 +93,9 @@ void progress(Ui& ui, const Rect& box, const FrameJob& job) {
 }
 
 void buttons(Ui& ui, const Rect& row, const Session& session, Actions& actions) {
-  const float each = ui.px(110);
-  const Rect ok{row.right() - each, row.y, each, row.height};
-  const Rect cancel{ok.x - each - ui.px(8), row.y, each, row.height};
+  const std::vector<Rect> places = lastButtons(ui, row, 2);
+  const Rect& cancel = places[0];
+  const Rect& ok = places[1];
   const Rect rest{row.x, row.y, cancel.x - row.x - ui.px(12), row.height};
   const FrameJob* const job = session.frameJob();
   if (job != nullptr) progress(ui, rest, *job);
@@ -107,17 +109,18 @@ void buttons(Ui& ui, const Rect& row, const Session& session, Actions& actions) 
 
 void framesWindow(Ui& ui, const Session& session, WindowPlace& windowPlace, Actions& actions) {
   const FloatingFrame frame{"frames", 520.0f, 300.0f, ui.words("frames/heading"), {}, {}, 480.0f};
-  const bool open = floatingFrame(ui, frame, windowPlace, [&](const Rect& room) {
-    const FrameOptions& options = session.frameOutput().options;
-    Form form(ui, room, 128.0f);
-    format(form, options, actions);
-    range(form, session, actions);
-    numbering(form, options, actions);
-    place(form, session, actions);
-    form.note(amount(ui, session));
-    const float high = ui.px(26);
-    buttons(ui, {room.x, room.bottom() - high, room.width, high}, session, actions);
-  });
+  const bool open = floatingFrame(
+      ui, frame, windowPlace,
+      [&](const Rect& room) {
+        const FrameOptions& options = session.frameOutput().options;
+        Form form(ui, room, 128.0f);
+        format(form, options, actions);
+        range(form, session, actions);
+        numbering(form, options, actions);
+        place(form, session, actions);
+        form.note(amount(ui, session));
+      },
+      [&](const Rect& row) { buttons(ui, row, session, actions); });
   if (!open) actions.run(Command("close-window", "frames"));
 }
 

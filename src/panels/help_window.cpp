@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "edit/shortcuts.hpp"
+#include "panels/menu_bar.hpp"
 #include "panels/window_frame.hpp"
 
 namespace vides {
@@ -17,7 +18,6 @@ constexpr float kColumn = 290.0f;
 constexpr float kBetweenColumns = 24.0f;
 constexpr float kRow = 18.0f;
 constexpr float kBetween = 9.0f;  // groups
-constexpr float kButton = 26.0f;
 
 struct Line {
   std::string what, how;
@@ -28,16 +28,35 @@ struct Group {
   float height() const { return kRow * static_cast<float>(lines.size() + 1) + kBetween; }
 };
 
-std::vector<Group> keyGroups(const Texts& texts) {
+// As its menu entry has it, where there is one.
+std::string titleFor(const Ui& ui, const Texts& texts, const Command& command) {
+  const std::string line = format(command);
+  for (const Menu& menu : menus()) {
+    for (const MenuEntry& entry : menu.entries) {
+      if (!entry.id.empty() && entry.command == line) return ui.words(entry.id);
+    }
+  }
+  return texts.tell(titleOf(command, texts));
+}
+
+// Several keys of one command share its line.
+std::vector<Group> keyGroups(const Ui& ui, const Texts& texts) {
   std::vector<Group> groups;
   std::string name;
+  const Command* last = nullptr;
   for (const Shortcut& shortcut : shortcutTable()) {
     if (groups.empty() || shortcut.group != name) {
       name = shortcut.group;
       groups.push_back({texts.tell(Text("shortcuts." + name)), {}});
     }
-    groups.back().lines.push_back(
-        {texts.tell(titleOf(shortcut.command, texts)), shown(shortcut, texts)});
+    std::vector<Line>& lines = groups.back().lines;
+    const std::string keys = shown(shortcut, texts);
+    if (last != nullptr && *last == shortcut.command) {
+      lines.back().how += ", " + keys;
+    } else {
+      lines.push_back({titleFor(ui, texts, shortcut.command), keys});
+    }
+    last = &shortcut.command;
   }
   return groups;
 }
@@ -52,7 +71,7 @@ Group mouseGroup(const Ui& ui, const std::string& name, const std::vector<const 
 }
 
 std::vector<Group> allGroups(const Ui& ui, const Texts& texts) {
-  std::vector<Group> groups = keyGroups(texts);
+  std::vector<Group> groups = keyGroups(ui, texts);
   groups.push_back(mouseGroup(
       ui, "mouse",
       {"turn", "pan", "size", "x", "y", "z", "axis", "snap", "select", "box", "insert", "view"}));
@@ -101,13 +120,14 @@ void helpWindow(Ui& ui, const Session& session, const Texts& texts, Actions& act
     return static_cast<float>(columns) * (kColumn + kBetweenColumns) - kBetweenColumns + 32.0f;
   };
   int count = kMostColumns;
-  while (count > 1 && ui.px(widthOf(count)) > ImGui::GetIO().DisplaySize.x) --count;
+  while (count > 1 && ui.px(widthOf(count)) > ui.workArea().width) --count;
   float height = 0.0f;
   const std::vector<int> columns = columnsOf(groups, count, height);
   const bool top = !session.question() && session.windows().back() == "shortcuts";
-  const WindowFrame frame{"###shortcuts", widthOf(count), height + 64.0f + kButton,
-                          ui.words("menu/help/shortcuts"), top};
-  windowFrame(ui, frame, [&](const Rect& room) {
+  WindowFrame frame{"###shortcuts", widthOf(count), height + 48.0f, ui.words("menu/help/shortcuts"),
+                    top};
+  frame.close = "shortcuts/close";
+  const bool stays = windowFrame(ui, frame, [&](const Rect& room) {
     const std::vector<Rect> places = split(ui, room, count, kBetweenColumns);
     std::vector<float> y(places.size(), room.y);
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -115,12 +135,8 @@ void helpWindow(Ui& ui, const Session& session, const Texts& texts, Actions& act
       drawGroup(ui, groups[i], {places[column].x, y[column], places[column].width, ui.px(kRow)});
       y[column] += ui.px(groups[i].height());
     }
-    const float width = ui.px(110);
-    if (ui.button("shortcuts/close",
-                  {room.right() - width, room.bottom() - ui.px(kButton), width, ui.px(kButton)})) {
-      actions.run(Command("close-window", "shortcuts"));
-    }
   });
+  if (!stays) actions.run(Command("close-window", "shortcuts"));
 }
 
 }  // namespace vides

@@ -56,18 +56,25 @@ std::string labelOf(const Ui& ui, const Session& session, const std::string& id)
 void entry(Ui& ui, const MenuEntry& item, const Session& session, const Layout& layout,
            Actions& actions) {
   const bool isLayout = item.command.empty();
-  const bool enabled = isLayout || canRun(session, item.command);
+  const bool nothingToDo = item.command == "revert" && !session.differsFromFile();
+  const bool enabled = isLayout || (canRun(session, item.command) && !nothingToDo);
   const std::string label = labelOf(ui, session, item.id);
   const bool tick = ticked(item.id, session, layout);
   const std::string keys = isLayout ? std::string() : ui.hint(item.command);
-  // Dear ImGui writes keys in the colour of what is greyed, and greys nothing in our style.
+  // Dear ImGui greys nothing in our style. It leaves room for the keys, left-aligned and before the
+  // tick's: they are written at the right end of that room.
   ImGui::PushStyleColor(ImGuiCol_Text,
                         ui.colour(enabled ? ColourRole::kText : ColourRole::kTextDisabled));
-  ImGui::PushStyleColor(ImGuiCol_TextDisabled, ui.colour(enabled ? ColourRole::kTextSecondary
-                                                                 : ColourRole::kTextDisabled));
+  ImGui::PushStyleColor(ImGuiCol_TextDisabled, 0);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float tickRoom = std::floor(ImGui::GetFontSize() * 1.2f);
+  const float end = at.x + ImGui::GetContentRegionAvail().x - tickRoom;
   const bool chosen =
       ImGui::MenuItem((label + "###" + item.id).c_str(), keys.c_str(), tick, enabled);
   ImGui::PopStyleColor(2);
+  const float keysWidth = ui.textWidth(keys);
+  ui.text({end - keysWidth, at.y, keysWidth, ImGui::GetTextLineHeight()}, keys,
+          {.colour = enabled ? ColourRole::kTextSecondary : ColourRole::kTextDisabled});
   ui.note(item.id, label, WidgetKind::kMenuItem, enabled, tick ? "on" : "");
   if (!chosen) return;
   if (isLayout) {
@@ -232,22 +239,26 @@ float menuBar(Ui& ui, const Session& session, const OutputLine& output, const La
   const float spacing = menuSpacing(ui, width, menusEnd);
   // Where what is left of the bar is too short to say anything, the output line stands below it.
   const float below = width - menusEnd < ui.px(kLeastOutput) ? ui.px(22) : 0.0f;
-  // The bar has the window's padding, its menus have their own.
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(spacing, ui.px(8)));
   float end = corner.x;
   for (const Menu& menu : menus()) {
     const std::string label = ui.words(menu.id);
     const float begin = ImGui::GetCursorScreenPos().x;
+    // Entries begin under the menu's name: Dear ImGui opens the menu half a spacing and a pixel
+    // before the place of the name, which itself begins half a spacing behind it.
+    const float half = std::floor(spacing / 2.0f);
+    const float opens = std::max(0.0f, begin - 1.0f - half);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(begin + half - opens, ui.px(8)));
     const bool open = ImGui::BeginMenu((label + "###" + menu.id).c_str());
     if (open) {
       entries(ui, menu, session, layout, actions);
       ImGui::EndMenu();
     }
+    ImGui::PopStyleVar();
     end = ImGui::GetCursorScreenPos().x - ImGui::GetStyle().ItemSpacing.x;
     ui.menu(menu.id, {begin, corner.y, end - begin, height}, label, true, open);
   }
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar();
   const Rect row{corner.x, corner.y + height, width, below};
   if (below > 0.0f) ImGui::PushClipRect({row.x, row.y}, {row.right(), row.bottom()}, false);
   outputLine(ui, {end, corner.y, corner.x + width - end, height}, row, session, output);

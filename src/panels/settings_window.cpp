@@ -2,7 +2,11 @@
 // The settings window.
 #include "panels/settings_window.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 
@@ -13,6 +17,8 @@ namespace {
 
 constexpr float kRow = 24.0f;
 constexpr float kButton = 26.0f;
+constexpr float kColourLabel = 48.0f;
+constexpr float kChoiceLabel = 120.0f;
 
 // "scene-points" in commands and files, "settings/show_scene_points" on screen.
 std::string widgetName(std::string_view name) {
@@ -46,15 +52,21 @@ void elementList(Ui& ui, Stack& rows, SettingsMemory& memory) {
   }
 }
 
+Command colourCommand(ColourRole element, const std::array<int, 3>& bytes) {
+  Command command("set-colour", std::string(name(element)));
+  for (const int byte : bytes) command.add(byte);
+  return command;
+}
+
 // The paper's three sliders.
 void colourSliders(Ui& ui, Stack& rows, const Session& session, const SettingsMemory& memory,
                    Actions& actions) {
   const Colour now = themeOf(session.display())[memory.element];
-  const int bytes[3] = {now.red, now.green, now.blue};
+  const std::array<int, 3> bytes = {now.red, now.green, now.blue};
   constexpr const char* kIds[] = {"settings/red", "settings/green", "settings/blue"};
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
     const Rect row = rows.row(kRow);
-    const float label = ui.px(48);
+    const float label = ui.px(kColourLabel);
     const float number = ui.px(32);
     ui.text({row.x, row.y, label, row.height}, ui.words(kIds[i]),
             {.colour = ColourRole::kTextSecondary});
@@ -64,12 +76,53 @@ void colourSliders(Ui& ui, Stack& rows, const Session& session, const SettingsMe
     ui.text({row.right() - number, row.y, number, row.height}, std::to_string(bytes[i]),
             {.weight = Weight::kSemibold, .align = Align::kRight});
     if (!change) continue;
-    int next[3] = {bytes[0], bytes[1], bytes[2]};
+    std::array<int, 3> next = bytes;
     next[i] = static_cast<int>(std::lround(change->value));
-    Command command("set-colour", std::string(name(memory.element)));
-    for (const int byte : next) command.add(byte);
-    actions.run(std::move(command));
+    actions.run(colourCommand(memory.element, next));
   }
+}
+
+// "#56B4E9".
+std::string hexOf(const Colour& colour) {
+  return fmt::format("#{:02X}{:02X}{:02X}", colour.red, colour.green, colour.blue);
+}
+
+// With or without #, of six digits or, as web pages shorten it, of three.
+std::optional<std::array<int, 3>> parseHex(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
+  text = text.substr(0, text.find_last_not_of(kBlank) + 1);
+  if (text.starts_with('#')) text.remove_prefix(1);
+  if (text.size() != 6 && text.size() != 3) return std::nullopt;
+  const std::size_t each = text.size() / 3;
+  std::array<int, 3> bytes{};
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const std::string_view digits = text.substr(i * each, each);
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), bytes[i], 16);
+    if (error != std::errc() || end != digits.data() + digits.size() || digits[0] == '-') {
+      return std::nullopt;
+    }
+    if (each == 1) bytes[i] *= 0x11;
+  }
+  return bytes;
+}
+
+// The same colour as text, and what gives it back to the theme.
+void colourText(Ui& ui, const Rect& row, const Session& session, const SettingsMemory& memory,
+                Actions& actions) {
+  const Colour now = themeOf(session.display())[memory.element];
+  ui.text({row.x, row.y, ui.px(kColourLabel), row.height}, ui.words("settings/hex"),
+          {.colour = ColourRole::kTextSecondary});
+  const Rect field{row.x + ui.px(kColourLabel), row.y, ui.px(88), row.height};
+  const auto typed = ui.textField("settings/hex", field, hexOf(now));
+  if (!typed) return;
+  const auto bytes = parseHex(*typed);
+  if (!bytes) {
+    actions.refusal = Text("refusal.hex", {*typed});
+    return;
+  }
+  actions.run(colourCommand(memory.element, *bytes));
 }
 
 void colours(Ui& ui, Stack& rows, const Session& session, SettingsMemory& memory,
@@ -77,7 +130,9 @@ void colours(Ui& ui, Stack& rows, const Session& session, SettingsMemory& memory
   elementList(ui, rows, memory);
   rows.gap(8);
   colourSliders(ui, rows, session, memory, actions);
-  rows.gap(8);
+  rows.gap(4);
+  colourText(ui, rows.row(kRow), session, memory, actions);
+  rows.gap(12);
   const std::vector<Rect> row = split(ui, rows.row(kButton), 2, 8.0f);
   const auto& chosen = session.display().colours;
   const bool own = chosen[static_cast<std::size_t>(memory.element)].has_value();
@@ -90,9 +145,15 @@ void colours(Ui& ui, Stack& rows, const Session& session, SettingsMemory& memory
   }
 }
 
+// How views move is no matter of what is shown.
+constexpr std::string_view kGlide = "glide";
+
 void shownElements(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
   Display display = session.display();
-  const auto& names = switchNames();
+  std::vector<std::string_view> names;
+  for (const auto& each : switchNames()) {
+    if (each != kGlide) names.push_back(each);
+  }
   const std::size_t half = (names.size() + 1) / 2;
   const float top = rows.y();
   const std::vector<Rect> columns = split(ui, rows.row(kRow * static_cast<float>(half)), 2, 8.0f);
@@ -154,23 +215,32 @@ void sizes(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
       [](double value) { return Command("grid-step", value); });
 }
 
-// A label, and under it toggles of which one is on.
+// A label, and beside it toggles of which one is on.
 struct Segment {
   std::string id;
   std::string label;
   std::string command;
   bool on;
 };
+// The place beside a label.
+Rect labelled(Ui& ui, Stack& rows, std::string_view labelKey) {
+  const Rect row = rows.row(kButton);
+  const float label = ui.px(kChoiceLabel);
+  ui.text({row.x, row.y, label - ui.px(8), row.height}, ui.words(labelKey),
+          {.colour = ColourRole::kTextSecondary});
+  rows.gap(10);
+  return {row.x + label, row.y, row.width - label, row.height};
+}
 void segments(Ui& ui, Stack& rows, std::string_view labelKey, const std::vector<Segment>& all,
               Actions& actions) {
-  ui.text(rows.row(kRow), ui.words(labelKey), {.colour = ColourRole::kTextSecondary});
-  const std::vector<Rect> boxes = split(ui, rows.row(kButton), static_cast<int>(all.size()));
+  std::vector<std::string> labels;
+  for (const Segment& segment : all) labels.push_back(segment.label);
+  const std::vector<Rect> boxes = splitFor(ui, labelled(ui, rows, labelKey), labels);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (ui.button(all[i].id, boxes[i], all[i].label, {.on = all[i].on, .toggle = true})) {
       if (auto command = parseCommand(all[i].command)) actions.run(std::move(*command));
     }
   }
-  rows.gap(8);
 }
 
 Segment named(const Ui& ui, std::string_view id, std::string command, bool on) {
@@ -199,10 +269,13 @@ void choices(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
   for (const double scale : kOfferedScales) {
     const std::string percent = std::to_string(std::lround(scale * 100.0));
     scales.push_back({"settings/scale_" + percent,
-                      scale > 0.0 ? percent + " %" : ui.words("settings/scale_0"),
+                      scale > 0.0 ? percent : ui.words("settings/scale_0"),
                       format(Command("content-scale", scale)), d.contentScale == scale});
   }
   segments(ui, rows, "settings.scale", scales, actions);
+  if (ui.checkBox("settings/show_glide", labelled(ui, rows, "settings.motion"), d.glide)) {
+    actions.run(Command("show-element", std::string(kGlide), "toggle"));
+  }
 }
 
 void pages(Ui& ui, const Rect& row, SettingsMemory& memory) {
@@ -218,7 +291,8 @@ void pages(Ui& ui, const Rect& row, SettingsMemory& memory) {
 }
 
 void lastRow(Ui& ui, const Rect& row, Actions& actions) {
-  const std::vector<Rect> boxes = split(ui, row, 3, 8.0f);
+  const std::vector<Rect> boxes = splitFor(
+      ui, row, {ui.words("settings/reset"), ui.words("settings/load"), ui.words("settings/save")});
   if (ui.button("settings/reset", boxes[0])) actions.run(Command("reset-setup"));
   if (ui.button("settings/load", boxes[1])) actions.run(Command("load-setup"));
   if (ui.button("settings/save", boxes[2])) actions.run(Command("save-setup"));
@@ -228,28 +302,30 @@ void lastRow(Ui& ui, const Rect& row, Actions& actions) {
 
 void settingsWindow(Ui& ui, const Session& session, SettingsMemory& memory, Actions& actions) {
   // Over the left column, so that changes are seen in the viewport.
-  const FloatingFrame frame{"settings", 360.0f,   416.0f, ui.words("settings/heading"),
+  const FloatingFrame frame{"settings", 392.0f,   448.0f, ui.words("settings/heading"),
                             ui.px(8),   ui.px(36)};
-  const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
-    Stack rows(ui, room.x, room.y, room.width);
-    pages(ui, rows.row(kButton), memory);
-    rows.gap(12);
-    switch (memory.page) {
-      case SettingsPage::kColours:
-        colours(ui, rows, session, memory, actions);
-        break;
-      case SettingsPage::kShown:
-        shownElements(ui, rows, session, actions);
-        break;
-      case SettingsPage::kSizes:
-        sizes(ui, rows, session, actions);
-        break;
-      case SettingsPage::kGeneral:
-        choices(ui, rows, session, actions);
-        break;
-    }
-    lastRow(ui, {room.x, room.bottom() - ui.px(kButton), room.width, ui.px(kButton)}, actions);
-  });
+  const bool stays = floatingFrame(
+      ui, frame, memory.place,
+      [&](const Rect& room) {
+        Stack rows(ui, room.x, room.y, room.width);
+        pages(ui, rows.row(kButton), memory);
+        rows.gap(12);
+        switch (memory.page) {
+          case SettingsPage::kColours:
+            colours(ui, rows, session, memory, actions);
+            break;
+          case SettingsPage::kShown:
+            shownElements(ui, rows, session, actions);
+            break;
+          case SettingsPage::kSizes:
+            sizes(ui, rows, session, actions);
+            break;
+          case SettingsPage::kGeneral:
+            choices(ui, rows, session, actions);
+            break;
+        }
+      },
+      [&](const Rect& row) { lastRow(ui, row, actions); });
   if (!stays) actions.run(Command("close-window", "settings"));
 }
 

@@ -13,8 +13,8 @@
 namespace vides {
 namespace {
 
-constexpr float kWidth = 272.0f;
-constexpr float kHeight = 384.0f;
+constexpr float kWidth = 288.0f;
+constexpr float kHeight = 392.0f;
 constexpr float kRow = 22.0f;
 
 const std::array<std::size_t, kPresets>& usersOf(const Session& session,
@@ -66,7 +66,7 @@ void presetButton(Ui& ui, const Rect& box, const Session& session, int preset, s
                 {.on = chosen, .toggle = true, .align = Align::kLeft, .tooltip = tip})) {
     actions.run(Command("shape-choose", number));
   }
-  drawPicture(ui, {box.x + ui.px(14), box.y + ui.px(5), box.width - ui.px(18), ui.px(30)}, shape,
+  drawPicture(ui, {box.x + ui.px(18), box.y + ui.px(5), box.width - ui.px(22), ui.px(30)}, shape,
               chosen);
 }
 
@@ -99,8 +99,8 @@ void parameterRow(Ui& ui, const Rect& row, const char* name, double value, Actio
   // 0 is in the middle.
   const float middle = std::round(track.centreX()) - ui.px(1) / 2;
   ui.fill({middle, track.centreY() - ui.px(6), ui.px(1), ui.px(12)}, ColourRole::kSliderTrack);
-  const auto change =
-      ui.slider(id, track, value, {.least = -1.0, .most = 1.0, .decimals = 2, .snap = 0.1});
+  const auto change = ui.slider(
+      id, track, value, {.least = -1.0, .most = 1.0, .decimals = 2, .snap = 0.1, .from = 0.0});
   // Dragged, it goes in hundredths, and so also catches at 0.
   if (change) {
     const double hundredths = std::round(change->value * 100.0) / 100.0;
@@ -120,7 +120,7 @@ void note(Ui& ui, const Rect& row, const Session& session, ShapeWindowMemory& me
   const bool tries = session.triesPreset();
   // The key that tries it isn't counted: it has the shape as its own meanwhile.
   const std::size_t users = others + (tries ? 1 : 0);
-  const Text text(tries ? "shape.tried" : "shape.users", {users});
+  const Text text = tries ? Text("shape.tried", {users}) : Text("shape.note", {users, chosen});
   const std::string words = ui.tell(text);
   ui.text(row, words, {.colour = ColourRole::kTextSecondary, .weight = Weight::kSmall});
   ui.shows("shape/note", row, words);
@@ -156,26 +156,29 @@ void shapeWindow(Ui& ui, const Session& session, ShapeWindowMemory& memory, Acti
                   session.current().key + 1),
       // Under the camera's picture, where it hides neither the curve nor what the camera sees.
       screen.x - ui.px(kWidth), ui.px(212)};
-  const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
-    Stack rows(ui, room.x, room.y, room.width);
-    presets(ui, rows, session, memory, actions);
-    rows.gap(8);
-    const Shape& shape = shapeOf(session.flight(), session.currentKey());
-    parameterRow(ui, rows.row(kRow), "tension", shape.tension, actions);
-    rows.gap(2);
-    parameterRow(ui, rows.row(kRow), "continuity", shape.continuity, actions);
-    rows.gap(2);
-    parameterRow(ui, rows.row(kRow), "bias", shape.bias, actions);
-    rows.gap(2);
-    note(ui, rows.row(16), session, memory);
-    rows.gap(6);
-    numbers(ui, rows, session, actions);
-    const auto buttons =
-        split(ui, {room.x, room.bottom() - ui.px(26), room.width, ui.px(26)}, 3, 8.0f);
-    if (ui.button("shape/show", buttons[0])) actions.run(Command("shape-show"));
-    if (ui.button("shape/ok", buttons[1])) actions.run(Command("shape-ok"));
-    if (ui.button("shape/cancel", buttons[2])) actions.run(Command("shape-cancel"));
-  });
+  const bool stays = floatingFrame(
+      ui, frame, memory.place,
+      [&](const Rect& room) {
+        Stack rows(ui, room.x, room.y, room.width);
+        presets(ui, rows, session, memory, actions);
+        rows.gap(8);
+        const Shape& shape = shapeOf(session.flight(), session.currentKey());
+        parameterRow(ui, rows.row(kRow), "tension", shape.tension, actions);
+        rows.gap(4);
+        parameterRow(ui, rows.row(kRow), "continuity", shape.continuity, actions);
+        rows.gap(4);
+        parameterRow(ui, rows.row(kRow), "bias", shape.bias, actions);
+        rows.gap(4);
+        note(ui, rows.row(16), session, memory);
+        rows.gap(8);
+        numbers(ui, rows, session, actions);
+      },
+      [&](const Rect& row) {
+        const auto buttons = split(ui, row, 3, 8.0f);
+        if (ui.button("shape/show", buttons[0])) actions.run(Command("shape-show"));
+        if (ui.button("shape/cancel", buttons[1])) actions.run(Command("shape-cancel"));
+        if (ui.button("shape/ok", buttons[2])) actions.run(Command("shape-ok"));
+      });
   if (!stays) actions.run(Command("shape-cancel"));
 }
 

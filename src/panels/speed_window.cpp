@@ -373,7 +373,7 @@ void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Acti
   follow(session, memory);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const bool flat = screen.y < ui.px(kLowScreen) && screen.x >= ui.px(kFlat.width);
-  const float wide = std::floor(screen.x / ui.scale());
+  const float wide = std::floor(ui.workArea().width / ui.scale());
   const bool slim = wide < kLarge.width;
   const Measures measures = flat ? kFlat : slim ? narrow(std::max(kLeastNarrow, wide)) : kLarge;
   const FloatingFrame frame{

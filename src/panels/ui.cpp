@@ -172,6 +172,9 @@ void Ui::icon(Icon icon, const Rect& box, ColourRole role) {
     case Icon::kChevronDown:
       chevron({x - h, y - h / 2}, {x, y + h / 2}, {x + h, y - h / 2});
       break;
+    case Icon::kChevronUp:
+      chevron({x - h, y + h / 2}, {x, y - h / 2}, {x + h, y + h / 2});
+      break;
     case Icon::kClose: {
       const float d = std::round(3.5f * setting_.scale);
       list.AddLine({x - d, y - d}, {x + d, y + d}, ink, 1.5f * scale());
@@ -211,7 +214,7 @@ void Ui::note(std::string_view id, std::string_view label, WidgetKind kind, bool
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 size = ImGui::GetItemRectSize();
   registerWidget(id, label, kind, {low.x, low.y, size.x, size.y}, enabled, value, tip(id));
-  tooltip(id, {ImGui::IsItemHovered(), false, false});
+  tooltip(id, {low.x, low.y, size.x, size.y}, {ImGui::IsItemHovered(), false, false}, {}, true);
 }
 
 void Ui::menu(std::string_view id, const Rect& rect, std::string_view label, bool enabled,

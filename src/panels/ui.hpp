@@ -58,7 +58,8 @@ struct SliderStyle {
   bool vertical = false;  // the least is at the bottom
   bool enabled = true;
   int decimals = 2;
-  double snap = 0.0;  // with Shift it is dragged in multiples of this; 0 = it is not
+  double snap = 0.0;                // with Shift it is dragged in multiples of this; 0 = it is not
+  std::optional<double> from = {};  // where its filled part begins; absent: at the least
 };
 
 struct FieldStyle {
@@ -80,6 +81,7 @@ enum class Icon {
   kChevronLeft,
   kChevronRight,
   kChevronDown,
+  kChevronUp,
   kLoop,
   kClose
 };
@@ -134,6 +136,9 @@ class Ui {
   float scale() const { return setting_.scale; }
   // Pixels at the content scale, whole.
   float px(float atScale1) const;
+  // Where windows may stand: below the menu bar, apart from the edges.
+  const Rect& workArea() const { return workArea_; }
+  void setWorkArea(const Rect& area) { workArea_ = area; }
   double time() const { return setting_.time; }
   ImU32 colour(ColourRole role, double opacity = 1.0) const;
   const Theme& theme() const { return setting_.theme; }
@@ -172,6 +177,8 @@ class Ui {
   bool button(std::string_view id, const Rect& rect, std::string_view label,
               const ButtonStyle& style);
   bool iconButton(std::string_view id, const Rect& rect, Icon icon, const ButtonStyle& style = {});
+  // The name of a list's column; a sign beside it tells which way the list is sorted by it.
+  bool columnHead(std::string_view id, const Rect& rect, bool sorted, bool descending, Align align);
   // A square with a tick and a label behind it.
   bool checkBox(std::string_view id, const Rect& rect, bool on);
   // One row of a list of which one is chosen, with a colour before it.
@@ -233,12 +240,14 @@ class Ui {
   // What is told of a widget: what it does, and by which keys; of a greyed one why it is, where the
   // table says so (tip/AREA/NAME#greyed).
   std::string tip(std::string_view id, const ButtonStyle& style = {}) const;
-  void tooltip(std::string_view id, const Press& press, const ButtonStyle& style = {});
+  void tooltip(std::string_view id, const Rect& about, const Press& press,
+               const ButtonStyle& style = {}, bool beside = false);
   std::optional<std::string> textEditor(std::string_view id, const Rect& rect, bool& ended);
   Typed typeNumber(std::string_view id, const Rect& rect);
   void startTyping(std::string_view id, std::string text);
 
   Setting setting_;
+  Rect workArea_;
 };
 
 // Rows of a panel, one under the other.

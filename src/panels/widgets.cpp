@@ -72,7 +72,23 @@ std::string Ui::tip(std::string_view id, const ButtonStyle& style) const {
   return keys.empty() ? told : told + "  (" + keys + ")";
 }
 
-void Ui::tooltip(std::string_view id, const Press& press, const ButtonStyle& style) {
+// What a tooltip tells of stays to be read: it stands below (or above) its widget, `beside` an
+// entry of a menu, and at the pointer of what is larger than a row.
+static ImVec2 tooltipPlace(const Ui& ui, const Rect& about, const ImVec2& size, bool beside) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  const float gap = ui.px(4);
+  const bool row = about.height <= ui.px(40);
+  ImVec2 at{pointer.x, about.bottom() + gap};
+  if (!row) at = {pointer.x + ui.px(16), pointer.y + ui.px(16)};
+  if (beside) at = {about.right() + ui.px(16), about.y};
+  if (at.y + size.y > screen.y - gap) at.y = (row ? about.y : pointer.y) - gap - size.y;
+  return {std::round(std::max(gap, std::min(at.x, screen.x - gap - size.x))),
+          std::round(std::max(gap, at.y))};
+}
+
+void Ui::tooltip(std::string_view id, const Rect& about, const Press& press,
+                 const ButtonStyle& style, bool beside) {
   UiMemory& memory = setting_.memory;
   if (!press.hovered || press.held) {
     if (memory.tooltipFor == id) memory.tooltipFor.clear();
@@ -85,9 +101,14 @@ void Ui::tooltip(std::string_view id, const Press& press, const ButtonStyle& sty
   if (setting_.time - memory.tooltipSince < kTooltipDelay) return;
   const std::string told = tip(id, style);
   if (told.empty()) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(8), px(5)));
+  const ImVec2 padding(px(8), px(5));
+  const float wrap = px(300);
+  const ImVec2 text = ImGui::CalcTextSize(told.c_str(), nullptr, false, wrap - padding.x);
+  ImGui::SetNextWindowPos(
+      tooltipPlace(*this, about, {text.x + 2 * padding.x, text.y + 2 * padding.y}, beside));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(px(300));
+  ImGui::PushTextWrapPos(wrap);
   ImGui::TextUnformatted(told.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -116,7 +137,10 @@ void Ui::ground(const Rect& rect, const Press& press, const ButtonStyle& style) 
     fill(rect, ColourRole::kControl, 3.0f);
   }
   if (style.enter) {
-    outline(rect, ColourRole::kTextSecondary, 3.0f);
+    // Told apart from the edges that all have in some themes.
+    const bool edged = theme()[ColourRole::kEdge] != theme()[ColourRole::kControl];
+    outline(rect, edged ? ColourRole::kText : ColourRole::kTextSecondary, 3.0f,
+            edged ? 2.0f : 1.0f);
   } else if (!style.quiet) {
     edge(rect);
   }
@@ -133,7 +157,7 @@ bool Ui::button(std::string_view id, const Rect& rect, std::string_view label,
        {.colour = style.enabled ? ColourRole::kText : ColourRole::kTextDisabled,
         .weight = style.on ? Weight::kSemibold : Weight::kRegular,
         .align = style.align});
-  tooltip(id, state, style);
+  tooltip(id, rect, state, style);
   return state.pressed;
 }
 
@@ -152,7 +176,27 @@ bool Ui::iconButton(std::string_view id, const Rect& rect, Icon which, const But
                  style.enabled, style.toggle ? (style.on ? "on" : "off") : "", tip(id, style));
   ground(rect, state, style);
   icon(which, rect, style.enabled ? ColourRole::kText : ColourRole::kTextDisabled);
-  tooltip(id, state, style);
+  tooltip(id, rect, state, style);
+  return state.pressed;
+}
+
+bool Ui::columnHead(std::string_view id, const Rect& rect, bool sorted, bool descending,
+                    Align align) {
+  const std::string label = words(id);
+  const Press state = press(id, rect, WidgetKind::kToggle, true);
+  registerWidget(id, label, WidgetKind::kToggle, rect, true, sorted ? "on" : "off", tip(id));
+  ground(rect, state, {.quiet = true});
+  const float inset = px(8);
+  const Rect box{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
+  text(box, label, {.colour = ColourRole::kTextSecondary, .align = align});
+  if (sorted) {
+    const float side = px(12);
+    const float gap = textWidth(label) + px(4);
+    const float left = align == Align::kRight ? box.right() - gap - side : box.x + gap;
+    icon(descending ? Icon::kChevronDown : Icon::kChevronUp, {left, rect.y, side, rect.height},
+         ColourRole::kTextSecondary);
+  }
+  tooltip(id, rect, state);
   return state.pressed;
 }
 
@@ -173,7 +217,7 @@ bool Ui::checkBox(std::string_view id, const Rect& rect, bool on) {
   }
   const float left = box.right() + px(8);
   text({left, rect.y, rect.right() - left, rect.height}, label);
-  tooltip(id, state);
+  tooltip(id, rect, state);
   return state.pressed;
 }
 
@@ -189,7 +233,7 @@ bool Ui::choiceRow(std::string_view id, const Rect& rect, std::string_view label
   const float left = box.right() + px(8);
   text({left, rect.y, rect.right() - left, rect.height}, label,
        {.weight = chosen ? Weight::kSemibold : Weight::kRegular});
-  tooltip(id, state);
+  tooltip(id, rect, state);
   return state.pressed;
 }
 
@@ -198,7 +242,7 @@ bool Ui::pictureButton(std::string_view id, const Rect& rect, const ButtonStyle&
   registerWidget(id, words(id), style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
                  style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
   ground(rect, state, style);
-  tooltip(id, state, style);
+  tooltip(id, rect, state, style);
   return state.pressed;
 }
 
@@ -305,7 +349,7 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
         .weight = style.weight,
         .align = Align::kRight,
         .mayShorten = true});
-  tooltip(id, {.hovered = hovered, .held = false, .pressed = false});
+  tooltip(id, rect, {.hovered = hovered, .held = false, .pressed = false});
   return {};
 }
 
@@ -336,7 +380,7 @@ std::optional<std::string> Ui::textField(std::string_view id, const Rect& rect,
     shownText = "\u2026" + std::string(value.substr(slash));
   }
   text(room, shownText, {.mayShorten = true});
-  tooltip(id, {.hovered = hovered, .held = false, .pressed = false}, {});
+  tooltip(id, rect, {.hovered = hovered, .held = false, .pressed = false}, {});
   return std::nullopt;
 }
 
@@ -409,13 +453,15 @@ std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, dou
     fill(r, role, 2.0f);
   };
   bar(from, from + way, ColourRole::kSliderTrack);
-  if (style.enabled) bar(from, at, ColourRole::kSlider);
+  const double origin = style.from.value_or(style.least);
+  const float filledFrom = from + way * static_cast<float>(shareOf(origin, style));
+  if (style.enabled) bar(filledFrom, at, ColourRole::kSlider);
   const ImVec2 centre = style.vertical ? ImVec2(middle, at) : ImVec2(at, middle);
   const bool lively = style.enabled && (state.hovered || state.held);
   list.AddCircleFilled(
       centre, lively ? knob + px(1) : knob,
       colour(style.enabled ? ColourRole::kSliderHandle : ColourRole::kTextDisabled));
-  tooltip(id, state);
+  tooltip(id, rect, state);
   return change;
 }
 
@@ -429,7 +475,7 @@ Ui::AreaState Ui::area(std::string_view id, const Rect& rect, std::string_view v
   result.pressed = state.held && ImGui::IsMouseClicked(0);
   result.released = state.pressed;
   result.doubleClicked = state.hovered && ImGui::IsMouseDoubleClicked(0);
-  if (tips) tooltip(id, state);
+  if (tips) tooltip(id, rect, state);
   return result;
 }
 

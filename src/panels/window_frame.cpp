@@ -17,17 +17,30 @@ constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                                     ImGuiWindowFlags_NoMove;
 
+constexpr float kHeading = 24.0f;
+constexpr float kAboveHeading = 8.0f;
+constexpr float kLine = 20.0f;  // each further line of a heading
+
+// How dark what lies under a modal window gets: less where it is bright.
+double shadeOf(const Theme& theme) {
+  const Colour& ground = theme[ColourRole::kPanel];
+  return ground.red + ground.green + ground.blue > 3 * 128 ? 0.35 : 0.45;
+}
+
 // Takes the pointer from all that lies under it. It must not take the focus as well, which would
 // end what is being typed above it.
-void shade(const std::string& id) {
+void shade(const Ui& ui, const std::string& id) {
   ImGui::SetNextWindowPos({0.0f, 0.0f});
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
-  ImGui::SetNextWindowBgAlpha(0.45f);
+  // Black, and not the ground's colour: that of the panels would come up to the window's.
+  ImGui::PushStyleColor(ImGuiCol_WindowBg,
+                        ImVec4(0.0f, 0.0f, 0.0f, static_cast<float>(shadeOf(ui.theme()))));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
   ImGui::Begin(id.c_str(), nullptr, kFlags | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   ImGui::End();
   ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
 }
 
 // Dear ImGui clips a window's content short of its sides.
@@ -38,15 +51,19 @@ void edge(Ui& ui, const Rect& all) {
 }
 
 // Draws what needs at least this size (pixels) into the room; where that is smaller, the wheel and
-// bars in the margin right and below, `margin` wide, reach the rest.
-void scrolled(const Ui& ui, const Rect& room, float margin, float width, float height,
-              const std::function<void(const Rect&)>& content) {
+// bars in the margins, `right` and `below` wide, reach the rest.
+struct Margins {
+  float right, below;
+};
+void scrolled(const Ui& ui, const Rect& room, const Margins& margins, float width, float height,
+              const FramePart& content) {
   if (room.width >= width && room.height >= height) return content(room);
   // Dear ImGui clips what a window holds short of its sides.
-  const float bars = margin - ui.px(4);
+  const float side = ui.px(4);
   ImGui::SetCursorScreenPos({room.x, room.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-  ImGui::BeginChild("###scrolled", {room.width + bars, room.height + bars}, false,
+  ImGui::BeginChild("###scrolled",
+                    {room.width + margins.right - side, room.height + margins.below - side}, false,
                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_HorizontalScrollbar);
   ImGui::PopStyleVar();
   const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -55,6 +72,32 @@ void scrolled(const Ui& ui, const Rect& room, float margin, float width, float h
   ImGui::SetCursorScreenPos(from);
   ImGui::Dummy({all.width, all.height});
   ImGui::EndChild();
+}
+
+// Between the heading and the window's lower edge: the content, and the buttons if there are any.
+struct Inside {
+  Rect room;  // of both
+  float pad;  // from there to the window's edges
+  float wantedWidth, wantedHeight;
+};
+void inside(const Ui& ui, const Inside& place, const FramePart& content, const FramePart& buttons) {
+  const float high = buttons ? ui.px(kWindowButtons) : 0.0f;
+  const float gap = buttons ? ui.px(kAboveWindowButtons) : 0.0f;
+  const Rect& room = place.room;
+  const Rect rest{room.x, room.y, room.width, std::max(0.0f, room.height - high - gap)};
+  scrolled(ui, rest, {place.pad, buttons ? gap : place.pad}, place.wantedWidth,
+           place.wantedHeight - high - gap, content);
+  if (buttons) buttons({room.x, room.bottom() - high, room.width, high});
+}
+
+// The button at a heading's right end; true if it was pressed.
+bool closeButton(Ui& ui, const std::string& id, const Rect& row) {
+  const std::string own = ui.words(id);
+  return ui.iconButton(id, {row.right() - row.height + ui.px(4), row.y, row.height, row.height},
+                       Icon::kClose,
+                       {.quiet = true,
+                        .tooltip = own.empty() ? ui.words("shortcuts/close") : own,
+                        .command = "escape"});
 }
 
 // What the content of a frame needs, of the frame's sizes.
@@ -94,61 +137,89 @@ std::vector<std::string> wrapped(const Ui& ui, std::string_view text, float widt
   return lines;
 }
 
-void windowFrame(Ui& ui, const WindowFrame& frame,
-                 const std::function<void(const Rect&)>& content) {
-  if (frame.modal) shade(std::string(frame.id) + "/shade");
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float w = std::min(ui.px(frame.width), screen.x);
+std::vector<Rect> lastButtons(const Ui& ui, const Rect& row, int count) {
+  const float gap = ui.px(8);
+  const auto parts = static_cast<float>(count);
+  const float each =
+      std::min(ui.px(kLastButton), std::floor((row.width - (parts - 1.0f) * gap) / parts));
+  std::vector<Rect> places;
+  for (int i = 0; i < count; ++i) {
+    const float fromRight = static_cast<float>(count - i);
+    places.push_back(
+        {row.right() - fromRight * each - (fromRight - 1.0f) * gap, row.y, each, row.height});
+  }
+  return places;
+}
+
+bool windowFrame(Ui& ui, const WindowFrame& frame, const FramePart& content,
+                 const FramePart& buttons) {
+  if (frame.modal) shade(ui, std::string(frame.id) + "/shade");
+  const Rect& area = ui.workArea();
+  const float w = std::min(ui.px(frame.width), area.width);
   const float pad = ui.px(16);
+  const float text = w - 2 * pad;
   std::vector<std::string> lines{frame.heading};
-  if (frame.wraps) lines = wrapped(ui, frame.heading, w - 2 * pad, Weight::kSemibold);
-  const float more = ui.px(20) * static_cast<float>(lines.size() - 1);
-  const float h = std::min(ui.px(frame.height) + more, screen.y);
-  ImGui::SetNextWindowPos({std::round((screen.x - w) / 2), std::round((screen.y - h) / 2)});
+  std::vector<std::string> details;
+  if (frame.wraps) lines = wrapped(ui, frame.heading, text, Weight::kSemibold);
+  if (!frame.detail.empty()) details = wrapped(ui, frame.detail, text);
+  const float more = ui.px(kLine) * static_cast<float>(lines.size() - 1 + details.size());
+  const float h = std::min(ui.px(frame.height) + more, area.height);
+  const Rect all{std::round(area.centreX() - w / 2), std::round(area.centreY() - h / 2), w, h};
+  ImGui::SetNextWindowPos({all.x, all.y});
   ImGui::SetNextWindowSize({w, h});
   if (frame.focus) ImGui::SetNextWindowFocus();
   ImGui::Begin(frame.id, nullptr, kFlags);
   if (frame.modal) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-  const ImVec2 corner = ImGui::GetWindowPos();
-  const Rect all{corner.x, corner.y, w, h};
   edge(ui, all);
-  const float above = ui.px(32) + more;
-  scrolled(ui, all.inset(pad), pad, ui.px(needed(frame.width, frame.leastWidth)) - 2 * pad,
-           ui.px(needed(frame.height, frame.leastHeight)) + more - 2 * pad, [&](const Rect& inner) {
-             Rect row{inner.x, inner.y, inner.width, ui.px(24)};
-             for (const std::string& line : lines) {
-               ui.text(row, line, {.weight = Weight::kSemibold, .mayShorten = true});
-               row.y += ui.px(20);
-             }
-             content({inner.x, inner.y + above, inner.width, inner.height - above});
-           });
+  Rect row{all.x + pad, all.y + ui.px(kAboveHeading), text, ui.px(kHeading)};
+  const bool closed = !frame.close.empty() && closeButton(ui, frame.close, row);
+  const float button = frame.close.empty() ? 0.0f : row.height;
+  for (const std::string& line : lines) {
+    ui.text({row.x, row.y, row.width - button, row.height}, line,
+            {.weight = Weight::kSemibold, .mayShorten = true});
+    row.y += ui.px(kLine);
+  }
+  for (const std::string& line : details) {
+    ui.text(row, line, {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+    row.y += ui.px(kLine);
+  }
+  const float above = ui.px(2 * kAboveHeading + kHeading) + more;
+  inside(ui,
+         {{row.x, all.y + above, text, h - above - pad},
+          pad,
+          ui.px(needed(frame.width, frame.leastWidth)) - 2 * pad,
+          ui.px(needed(frame.height, frame.leastHeight)) + more - above - pad},
+         content, buttons);
   ImGui::End();
+  return !closed;
 }
 
-bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place,
-                   const std::function<void(const Rect&)>& content) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place, const FramePart& content,
+                   const FramePart& buttons) {
+  const Rect& area = ui.workArea();
   const ImVec2 pointer = ImGui::GetIO().MousePos;
-  const float w = std::min(ui.px(frame.width), screen.x);
-  const float h = std::min(ui.px(frame.height), screen.y);
+  const float w = std::min(ui.px(frame.width), area.width);
+  const float h = std::min(ui.px(frame.height), area.height);
   if (place.dragging) {
     place.x = pointer.x - place.gripX;
     place.y = pointer.y - place.gripY;
   }
-  // Wholly on the screen, also when that has become smaller.
-  const float wantedX = frame.x.value_or(std::round((screen.x - w) / 2));
-  const float wantedY = frame.y.value_or(std::round((screen.y - h) / 2));
-  const float x = std::round(std::clamp(place.moved ? place.x : wantedX, 0.0f, screen.x - w));
-  const float y = std::round(std::clamp(place.moved ? place.y : wantedY, 0.0f, screen.y - h));
+  // Wholly in the work area, also when that has become smaller.
+  const float wantedX = frame.x.value_or(area.centreX() - w / 2);
+  const float wantedY = frame.y.value_or(area.centreY() - h / 2);
+  const float x = std::round(std::clamp(place.moved ? place.x : wantedX, area.x, area.right() - w));
+  const float y =
+      std::round(std::clamp(place.moved ? place.y : wantedY, area.y, area.bottom() - h));
   ImGui::SetNextWindowPos({x, y});
   ImGui::SetNextWindowSize({w, h});
   const std::string id = "###" + frame.area;
   ImGui::Begin(id.c_str(), nullptr, kFlags);
   edge(ui, {x, y, w, h});
   const float pad = ui.px(12);
-  const float close = ui.px(24);
-  const Rect row{x + pad, y + ui.px(8), w - 2 * pad, close};
-  const auto state = ui.area(frame.area + "/heading", {x, y, w - close - pad, ui.px(36)});
+  const Rect row{x + pad, y + ui.px(kAboveHeading), w - 2 * pad, ui.px(kHeading)};
+  const auto state =
+      ui.area(frame.area + "/heading",
+              {x, y, w - row.height - pad, ui.px(2 * kAboveHeading + kHeading) - ui.px(4)});
   if (state.pressed) {
     place.dragging = true;
     place.moved = true;
@@ -159,18 +230,16 @@ bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place,
   }
   if (!state.held) place.dragging = false;
   if (state.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  ui.text({row.x, row.y, row.width - close, row.height}, frame.heading,
+  ui.text({row.x, row.y, row.width - row.height, row.height}, frame.heading,
           {.weight = Weight::kSemibold, .mayShorten = true});
-  const std::string own = ui.words(frame.area + "/close");
-  const bool closed = ui.iconButton(
-      frame.area + "/close", {row.right() - close + ui.px(4), row.y, close, close}, Icon::kClose,
-      {.quiet = true,
-       .tooltip = own.empty() ? ui.words("shortcuts/close") : own,
-       .command = "escape"});
-  const float above = row.bottom() + ui.px(8) - y;
-  scrolled(ui, {row.x, y + above, row.width, h - above - pad}, pad,
-           ui.px(needed(frame.width, frame.leastWidth)) - 2 * pad,
-           ui.px(needed(frame.height, frame.leastHeight)) - above - pad, content);
+  const bool closed = closeButton(ui, frame.area + "/close", row);
+  const float above = row.bottom() + ui.px(kAboveHeading) - y;
+  inside(ui,
+         {{row.x, y + above, row.width, h - above - pad},
+          pad,
+          ui.px(needed(frame.width, frame.leastWidth)) - 2 * pad,
+          ui.px(needed(frame.height, frame.leastHeight)) - above - pad},
+         content, buttons);
   ImGui::End();
   return !closed;
 }

@@ -12,6 +12,7 @@
 
 #include "app/drive/player.hpp"
 #include "edit/command_table.hpp"
+#include "edit/shortcuts.hpp"
 #include "edit/texts.hpp"
 #include "flight/utf8.hpp"
 #include "host/open_host.hpp"
@@ -182,7 +183,10 @@ void expectApart(const WidgetRegistry& widgets, const std::optional<Rect>& scree
       if (below.contains(a->id) != below.contains(b->id)) continue;
       // A choice holds its entries.
       if (a->kind == WidgetKind::kChoice && b->id.starts_with(a->id + "_")) continue;
-      EXPECT_TRUE(a->rect.inset(0.5f).intersect(b->rect.inset(0.5f)).empty())
+      // What a small window scrolls goes on under its buttons.
+      const Rect& one = screen ? a->rect : a->visible;
+      const Rect& other = screen ? b->rect : b->visible;
+      EXPECT_TRUE(one.inset(0.5f).intersect(other.inset(0.5f)).empty())
           << a->id << " and " << b->id << ", " << state;
     }
   }
@@ -216,12 +220,52 @@ bool isPlain(const Widget& widget) {
   return false;
 }
 
+// Where windows over the editor stand: those with a ground of their own, but for menus.
+std::vector<Rect> windowPlaces() {
+  std::vector<Rect> places;
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+    const std::string_view name = window->Name;
+    constexpr ImGuiWindowFlags kOther =
+        ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip;
+    if (!window->Active || (window->Flags & kOther) != 0 || !name.starts_with("###")) continue;
+    if (name == "###window" || name == "###signs" || name.ends_with("/shade")) continue;
+    places.push_back({window->Pos.x, window->Pos.y, window->Size.x, window->Size.y});
+  }
+  return places;
+}
+
+// Windows keep off the edges and the menu bar.
+void expectMargins(const WidgetRegistry& widgets, float width, float height, float margin,
+                   const std::string& state) {
+  const float top = widgets.find("menu/file")->rect.bottom();
+  for (const Rect& place : windowPlaces()) {
+    EXPECT_GE(place.x, margin) << state;
+    EXPECT_GE(place.y, top + margin) << state;
+    EXPECT_LE(place.right(), width - margin) << state;
+    EXPECT_LE(place.bottom(), height - margin) << state;
+  }
+}
+
+// The buttons that end a window's business are seen without scrolling.
+void expectButtonsInSight(const WidgetRegistry& widgets, const std::string& state) {
+  for (const auto& [id, widget] : widgets.widgets()) {
+    const std::string_view name = std::string_view(id).substr(id.find('/') + 1);
+    const bool ends = name == "ok" || name == "cancel" || name == "close" || name == "save" ||
+                      name == "write" || name == "insert_cancel" || id.starts_with("question/");
+    if (!ends || widget.kind != WidgetKind::kButton) continue;
+    EXPECT_NEAR(widget.visible.width, widget.rect.width, 0.01f) << id << ", " << state;
+    EXPECT_NEAR(widget.visible.height, widget.rect.height, 0.01f) << id << ", " << state;
+  }
+}
+
 using Reachable = Interface;
 TEST_P(Reachable, OnASmallScreen) {
   std::set<std::string> below;  // what the windows stand over
   forEachState([&](const std::string& state) {
     expectTextsFit(widgets(), state);
     expectApart(widgets(), std::nullopt, state, below);
+    expectMargins(widgets(), 960.0f, 600.0f, 8.0f, state);
+    expectButtonsInSight(widgets(), state);
     const Rect screen{0.0f, 0.0f, 960.0f, 600.0f};
     std::vector<std::string> ids;
     for (const auto& [id, widget] : widgets().widgets()) {
@@ -280,6 +324,8 @@ TEST_P(Interface, FitsStandsApartAndTellsWhatItDoes) {
   forEachState([&](const std::string& state) {
     expectTextsFit(widgets(), state);
     expectApart(widgets(), Rect{0.0f, 0.0f, 960.0f * scale, 600.0f * scale}, state);
+    expectMargins(widgets(), 960.0f * scale, 600.0f * scale, 8.0f * scale, state);
+    expectButtonsInSight(widgets(), state);
     for (const auto& [id, widget] : widgets().widgets()) {
       if (!isOperated(widget) || !widget.tip.empty()) continue;
       if (!saysItAll(widget) && !isPlain(widget)) bare.insert(id);
@@ -299,6 +345,23 @@ INSTANTIATE_TEST_SUITE_P(All, Interface,
                          });
 
 // --- The tables ---
+
+// What a command is called in a menu, it is called elsewhere.
+TEST(InterfaceTexts, OneThingHasOneName) {
+  for (const Language language : {Language::kEnglish, Language::kGerman}) {
+    const Texts texts(language);
+    for (const Menu& menu : menus()) {
+      for (const MenuEntry& entry : menu.entries) {
+        const auto command = parseCommand(entry.command);
+        if (!command || command->name == "show-window") continue;
+        // "language en" and such are settings: a menu names their value.
+        const Text title = titleOf(*command, texts);
+        if (title.key == "command." + command->name && !command->arguments.empty()) continue;
+        EXPECT_EQ(texts.words(title.key), texts.words(entry.id)) << entry.id;
+      }
+    }
+  }
+}
 
 TEST(InterfaceTexts, TooltipsTellTheKeys) {
   OffscreenOptions options;

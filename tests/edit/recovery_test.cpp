@@ -141,7 +141,12 @@ TEST(RecoveryFile, ADamagedPathCostsThePathOnly) {
 
 class OfferTest : public testing::Test {
  protected:
-  std::string told() const { return Texts(Language::kEnglish).tell(session_.question()->text); }
+  std::string told() const {
+    Text more = session_.question()->text;
+    more.key += ".more";
+    const Texts texts(Language::kEnglish);
+    return texts.tell(session_.question()->text) + " " + texts.tell(more);
+  }
   test::TemporaryFolder folder_;
   Session session_;
 };
@@ -150,7 +155,7 @@ TEST_F(OfferTest, RecoveredItIsUnsavedAndInItsFile) {
   const std::string path = (folder_ / "a.vid").string();
   ASSERT_EQ(saveVid(newFlight(), path), std::nullopt);
   session_.offerRecovery(flightWith("kept"), path, "2026-11-22 08:15");
-  EXPECT_EQ(told(), "a.vid was not saved when vides ended; kept on 2026-11-22 08:15. Recover it?");
+  EXPECT_EQ(told(), "Recover a.vid? It was not saved when vides ended. Kept on 2026-11-22 08:15.");
   EXPECT_EQ(session_.takeRecoveryAnswer(), std::nullopt);
   refused(session_, "insert-key", "refusal.answer-first");
   run(session_, "answer recover");
@@ -182,7 +187,7 @@ TEST_F(OfferTest, OtherwiseNothingHappens) {
                                        std::pair("answer later", RecoveryAnswer::kLater),
                                        std::pair("escape", RecoveryAnswer::kLater)}) {
     session_.offerRecovery(flightWith("kept"), "", "");
-    EXPECT_EQ(told(), "untitled was not saved when vides ended; kept on . Recover it?");
+    EXPECT_EQ(told(), "Recover untitled? It was not saved when vides ended. Kept on .");
     run(session_, answer);
     EXPECT_EQ(session_.takeRecoveryAnswer(), wanted) << answer;
     EXPECT_FALSE(session_.question());

@@ -89,7 +89,7 @@ TEST(Shortcuts, InWords) {
   EXPECT_EQ(shown(*shortcutOf(Command("redo")), english), "Ctrl+Shift+Z");
   EXPECT_EQ(shown(*shortcutOf(Command("redo")), german), "Strg+Umschalt+Z");
   EXPECT_EQ(shown(*shortcutOf(Command("view", "iso")), english), "2");
-  EXPECT_EQ(english.tell(titleOf(Command("view", "iso"), english)), "Iso view");
+  EXPECT_EQ(english.tell(titleOf(Command("view", "iso"), english)), "Iso");
   EXPECT_EQ(shortcutOf(Command("set-zoom", 3)), nullptr);
 }
 

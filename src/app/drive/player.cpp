@@ -137,7 +137,7 @@ bool Player::scrollTowards(const Widget& widget) {
   const double x =
       std::clamp(static_cast<double>(middle(widget, true)), size.width * 0.03, size.width * 0.97);
   const double y =
-      std::clamp(static_cast<double>(middle(widget, false)), size.height * 0.3, size.height * 0.5);
+      std::clamp(static_cast<double>(middle(widget, false)), size.height * 0.4, size.height * 0.5);
   const bool across = x != static_cast<double>(middle(widget, true));
   const float before = middle(widget, across);
   move(x, y);
