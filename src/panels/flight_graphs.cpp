@@ -20,7 +20,6 @@ double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 void FlightGraphs::follow(const Evaluation& evaluation) {
   if (!evaluation_ || !(evaluation_->flight() == evaluation.flight())) {
     evaluation_ = evaluation;
-    path_.clear();
     strip_ = {};
     quality_.reset();
     soFar_ = {};
@@ -118,14 +117,8 @@ FlightGraphs::Rates FlightGraphs::most() const {
   return {static_cast<double>(strip_.mostSpeed), static_cast<double>(strip_.mostAngularSpeed)};
 }
 
-const std::vector<FlightGraphs::PathPoint>& FlightGraphs::path() {
-  if (!path_.empty()) return path_;
-  const std::int64_t last = evaluation_->frameCount() - 1;
-  const std::int64_t points = std::min(kMostPath, last + 1);
-  for (std::int64_t i = 0; i < points; ++i) {
-    const std::int64_t n = points == 1 ? 0 : last * i / (points - 1);
-    path_.push_back({evaluation_->frame(n).camera.viewPlaneNormal, n});
-  }
+const SpherePath& FlightGraphs::path(const OrientationPlace& current, double tolerance) {
+  path_.follow(*evaluation_, current, tolerance);
   return path_;
 }
 

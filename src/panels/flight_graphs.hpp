@@ -9,6 +9,7 @@
 
 #include "evaluate/evaluation.hpp"
 #include "evaluate/quality.hpp"
+#include "panels/sphere_path.hpp"
 
 namespace vides {
 
@@ -30,14 +31,9 @@ class FlightGraphs {
   // for as long as the measures are asked for: the first at once, the others where they are shown.
   void follow(const Evaluation& evaluation);
 
-  // The VPN on the unit sphere, at most kMostPath places over the whole flight, and the section
-  // that each belongs to.
-  struct PathPoint {
-    Vec3 direction{0.0};
-    std::int64_t frame = 0;
-  };
-  static constexpr std::int64_t kMostPath = 720;
-  const std::vector<PathPoint>& path();
+  // The way of the VPN, not farther from the exact one than `tolerance` radii; of `current`'s
+  // section in any case.
+  const SpherePath& path(const OrientationPlace& current, double tolerance);
 
   // Samples so far apart, from the one numbered `first` on. Those that were there at the last call
   // are kept, so that scrolling measures only what comes into sight. Where several frames share a
@@ -85,7 +81,7 @@ class FlightGraphs {
   Motion estimated(double begin, double end) const;
 
   std::optional<Evaluation> evaluation_;
-  std::vector<PathPoint> path_;
+  SpherePath path_;
   SpeedStrip strip_;
   std::optional<Quality> quality_;
   std::optional<FrameWalk> walk_;

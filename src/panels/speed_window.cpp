@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <utility>
 
 #include "edit/ease.hpp"
 #include "panels/left_panels.hpp"
@@ -261,6 +263,32 @@ void easeGrid(Ui& ui, Stack& rows, const Session& session, Actions& actions, boo
              "constant", session, actions, enabled);
 }
 
+// Mean and top speed of the section.
+void speeds(Ui& ui, Stack& rows, const Session& session, const SpeedGraph& graph) {
+  const Measure measure = measureOf(ui, session, graph);
+  const std::pair<const char*, double> values[] = {{"speed/mean", graph.mean * measure.per},
+                                                   {"speed/fastest", graph.fastest * measure.per}};
+  // With the unit's name where there is room for it in both; the heading has it, too.
+  const auto fits = [&](const std::string& unit) {
+    return std::all_of(std::begin(values), std::end(values), [&](const auto& speed) {
+      const std::string words = withUnit(measured(ui, speed.second), unit + "/s");
+      return ui.textWidth(ui.words(speed.first)) + ui.px(8) +
+                 ui.textWidth(words, Weight::kSemibold) <=
+             rows.width();
+    });
+  };
+  const bool named = !measure.whole.empty() && fits(measure.whole);
+  const std::string unit = named ? measure.whole : fits(measure.unit) ? measure.unit : "";
+  for (const auto& [id, value] : values) {
+    ui.valueRow(rows.row(18), id, ui.words(id), withUnit(measured(ui, value), unit + "/s"));
+  }
+  // What the film's other programs will see, where that is another number.
+  if (graph.unit == SectionUnit::kScene && measure.per != 1.0) {
+    ui.valueRow(rows.row(18), "speed/in_scene", ui.words("speed/in_scene"),
+                measured(ui, graph.fastest) + " /s");
+  }
+}
+
 void duration(Ui& ui, Stack& rows, const Session& session, const SpeedWindowMemory& memory,
               Actions& actions) {
   const Orientation& orientation = session.currentOrientation();
@@ -291,30 +319,7 @@ void duration(Ui& ui, Stack& rows, const Session& session, const SpeedWindowMemo
   commandButton(ui, "speed/by_rate", rows.row(kRow), "clear-duration", session, actions,
                 {.enabled = orientation.duration.has_value()});
   rows.gap(4);
-  if (!owns) return;
-  const Measure measure = measureOf(ui, session, *graph);
-  const auto speed = [&](const char* id, double value, const Measure& in) {
-    const Rect box = rows.row(18);
-    const std::string label = ui.words(id), number = measured(ui, value * in.per);
-    // With the unit's name where there is room; the heading has it, too.
-    std::string words = number + " /s";
-    for (const std::string& unit : {in.whole, in.unit}) {
-      const std::string longer = withUnit(number, unit + "/s");
-      if (unit.empty() ||
-          ui.textWidth(label) + ui.px(8) + ui.textWidth(longer, Weight::kSemibold) > box.width) {
-        continue;
-      }
-      words = longer;
-      break;
-    }
-    ui.valueRow(box, id, label, words);
-  };
-  speed("speed/mean", graph->mean, measure);
-  speed("speed/fastest", graph->fastest, measure);
-  // What the film's other programs will see, where that is another number.
-  if (graph->unit == SectionUnit::kScene && measure.per != 1.0) {
-    speed("speed/in_scene", graph->fastest, {});
-  }
+  if (owns) speeds(ui, rows, session, *graph);
 }
 
 std::string heading(const Ui& ui, const Session& session, const SpeedWindowMemory& memory,

@@ -52,70 +52,103 @@ void latitude(ImDrawList& list, const SphereView& view, double degrees, ImU32 fr
 constexpr float kMeasureRow = 19.0f;
 constexpr float kPanelFoot = 16.0f;  // its lower padding and the gap to the next one
 
-// With more keys the sphere shows where the path is dense, not each mark.
-constexpr std::size_t kMostMarked = 400;
+// Pixels between what is drawn of the path and the exact one, at most.
+constexpr float kPathError = 0.5f;
+// A line that turns back sharper than this is cut: its joint would be a spike.
+constexpr float kSharp = -0.2f;  // cosine
 
-bool crowded(const Session& session) { return session.flight().keys.size() > kMostMarked; }
+struct Stroke {
+  ColourRole role;
+  float width;  // at content scale 1
+  double strength;
+};
 
-// Runs of the path that look the same are one polyline, so that joints have no dots.
-void drawPath(Ui& ui, ImDrawList& list, const SphereView& view,
-              const std::vector<FlightGraphs::PathPoint>& path, std::int64_t currentFirst,
-              std::int64_t currentEnd, bool back, bool dense) {
+// The parts of the lines that lie in front, or at the back.
+void drawLines(Ui& ui, ImDrawList& list, const SphereView& view,
+               const std::vector<std::vector<Vec3>>& lines, bool back, const Stroke& stroke) {
+  const ImU32 ink = ui.colour(stroke.role, stroke.strength);
   std::vector<ImVec2> run;
-  bool runCurrent = false;
   const auto flush = [&] {
     if (run.size() > 1) {
-      const ColourRole role = runCurrent ? ColourRole::kAccent : ColourRole::kAim;
-      const double strength = (back ? 0.35 : 1.0) * (dense && !runCurrent ? 0.5 : 1.0);
-      const float width = runCurrent ? 2.4f : dense ? 1.0f : 2.0f;
-      list.AddPolyline(run.data(), static_cast<int>(run.size()), ui.colour(role, strength), 0,
-                       width * ui.scale());
+      list.AddPolyline(run.data(), static_cast<int>(run.size()), ink, 0, stroke.width * ui.scale());
     }
     run.clear();
   };
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const auto& a = path[i];
-    const auto& b = path[i + 1];
-    const bool seen = view.front(0.5 * (a.direction + b.direction));
-    const bool current = a.frame >= currentFirst && a.frame < currentEnd;
-    if (seen == back) {
-      flush();
-      continue;
+  const auto add = [&](const ImVec2& from, const ImVec2& to) {
+    if (run.empty()) run.push_back(from);
+    const ImVec2 next(to.x - run.back().x, to.y - run.back().y);
+    const float length = std::hypot(next.x, next.y);
+    // What moves by less than that is not seen.
+    if (length < 0.25f) return;
+    if (run.size() > 1) {
+      const ImVec2& before = run[run.size() - 2];
+      const ImVec2 way(run.back().x - before.x, run.back().y - before.y);
+      if (way.x * next.x + way.y * next.y < kSharp * length * std::hypot(way.x, way.y)) {
+        const ImVec2 joint = run.back();
+        flush();
+        run.push_back(joint);
+      }
     }
-    if (!run.empty() && current != runCurrent) flush();
-    if (run.empty()) run.push_back(view.place(a.direction));
-    runCurrent = current;
-    run.push_back(view.place(b.direction));
+    run.push_back(to);
+  };
+  for (const std::vector<Vec3>& line : lines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      if (view.front(line[i] + line[i + 1]) == back) {
+        flush();
+      } else {
+        add(view.place(line[i]), view.place(line[i + 1]));
+      }
+    }
+    flush();
   }
-  flush();
 }
 
 // A circle at each orientation; of a long flight those of about as many keys as there is room for.
-void drawMarks(Ui& ui, ImDrawList& list, const SphereView& view, const Session& session,
+void drawMarks(Ui& ui, ImDrawList& list, const SphereView& view, const SpherePath& path,
                bool back) {
-  const KeyList& keys = session.flight().keys;
-  const std::size_t step = keys.size() / kMostMarked + 1;
-  const bool dense = crowded(session);
-  const auto mark = [&](const OrientationPlace& place) {
-    const Vec3 vpn = session.evaluation().cameraAt(place).viewPlaneNormal;
-    if (view.front(vpn) == back) return;
-    const bool current = place == session.current();
-    const float radius = ui.scale() * (current ? 4.0f : dense ? 1.6f : 3.2f);
-    const ImVec2 at = view.place(vpn);
-    if (dense && !current) {
-      list.AddCircleFilled(at, radius, ui.colour(ColourRole::kKey, back ? 0.35 : 0.85));
-      return;
+  for (const SpherePath::Mark& mark : path.marks()) {
+    if (view.front(mark.direction) == back) continue;
+    const ImVec2 at = view.place(mark.direction);
+    if (path.thinned()) {
+      list.AddCircleFilled(at, 1.6f * ui.scale(), ui.colour(ColourRole::kKey, back ? 0.35 : 0.85));
+      continue;
     }
-    list.AddCircleFilled(at, radius, ui.colour(ColourRole::kHandleFill));
-    list.AddCircle(at, radius,
-                   ui.colour(current ? ColourRole::kAccent : ColourRole::kKey, back ? 0.45 : 1.0),
-                   0, 1.5f * ui.scale());
-  };
-  for (std::size_t k = 0; k < keys.size(); k += step) {
-    for (std::size_t o = 0; o < keys[k].orientations.size(); ++o) mark({k, o});
+    list.AddCircleFilled(at, 3.2f * ui.scale(), ui.colour(ColourRole::kHandleFill));
+    list.AddCircle(at, 3.2f * ui.scale(), ui.colour(ColourRole::kKey, back ? 0.45 : 1.0), 0,
+                   1.5f * ui.scale());
   }
-  // Over the others, and also where its key is not among those marked.
-  if (dense) mark(session.current());
+}
+
+// The current section, dark around so that it is found among others.
+void drawCurrentLines(Ui& ui, ImDrawList& list, const SphereView& view, const SpherePath& path,
+                      bool back) {
+  const auto& lines = path.currentLines();
+  drawLines(ui, list, view, lines, back, {ColourRole::kField, 5.6f, back ? 0.5 : 0.8});
+  drawLines(ui, list, view, lines, back, {ColourRole::kAccent, 2.4f, back ? 0.45 : 1.0});
+}
+
+void drawCurrentMark(Ui& ui, ImDrawList& list, const ImVec2& at, bool back) {
+  list.AddCircleFilled(at, 4.0f * ui.scale(), ui.colour(ColourRole::kHandleFill));
+  list.AddCircle(at, 4.0f * ui.scale(), ui.colour(ColourRole::kAccent, back ? 0.45 : 1.0), 0,
+                 1.8f * ui.scale());
+}
+
+// Path, marks and what is current: those at the back, then those in front, the current ones last.
+void drawOrientations(Ui& ui, ImDrawList& list, const SphereView& view, const SpherePath& path,
+                      const Vec3& current) {
+  const bool thin = path.thinned();
+  const ImVec2 at = view.place(current);
+  for (const bool back : {true, false}) {
+    const bool here = view.front(current) != back;
+    drawLines(ui, list, view, path.lines(), back,
+              {ColourRole::kAim, thin ? 1.0f : 2.0f, (back ? 0.35 : 1.0) * (thin ? 0.6 : 1.0)});
+    // A few marks are drawn over its ends, many would hide it.
+    if (thin) drawMarks(ui, list, view, path, back);
+    if (here) list.AddCircleFilled(at, 6.5f * ui.scale(), ui.colour(ColourRole::kField, 0.8));
+    drawCurrentLines(ui, list, view, path, back);
+    if (!thin) drawMarks(ui, list, view, path, back);
+    if (here) drawCurrentMark(ui, list, at, back);
+  }
 }
 
 // The orientation in front that is seen nearest to a place, if it is nearer than `reach` pixels.
@@ -157,18 +190,18 @@ void spherePanel(Ui& ui, Stack& column, float bottom, const Session& session, Fl
     }
     list.AddCircle(view.centre, view.radius, ui.colour(ColourRole::kCube, 0.7), 0,
                    std::max(1.0f, ui.scale()));
-    const auto section = session.evaluation().sectionFrom(session.current());
-    const std::int64_t first = section ? section->firstFrame : 0;
-    const std::int64_t end = section ? first + section->frames : 0;
-    const bool dense = crowded(session);
-    drawPath(ui, list, view, graphs.path(), first, end, true, dense);
-    drawMarks(ui, list, view, session, true);
-    drawPath(ui, list, view, graphs.path(), first, end, false, dense);
-    drawMarks(ui, list, view, session, false);
-    // Where the camera looks at the playhead.
+    const SpherePath& path =
+        graphs.path(session.current(), static_cast<double>(kPathError / view.radius));
+    const Vec3 current = session.evaluation().cameraAt(session.current()).viewPlaneNormal;
+    drawOrientations(ui, list, view, path, current);
+    // Where the camera looks at the playhead; on the current mark it is its middle.
     const Vec3 now = session.camera().viewPlaneNormal;
-    const ImU32 ink = ui.colour(ColourRole::kPlayhead, view.front(now) ? 1.0 : 0.5);
-    list.AddCircleFilled(view.place(now), 3.0f * ui.scale(), ink);
+    const double strength = view.front(now) ? 1.0 : 0.5;
+    const ImVec2 at = view.place(now), mark = view.place(current);
+    if (std::hypot(at.x - mark.x, at.y - mark.y) > 2.0f * ui.scale()) {
+      list.AddCircleFilled(at, 4.4f * ui.scale(), ui.colour(ColourRole::kField, 0.8 * strength));
+    }
+    list.AddCircleFilled(at, 3.0f * ui.scale(), ui.colour(ColourRole::kPlayhead, strength));
     if (!state.released) return;
     // A click makes the orientation under the pointer current.
     const auto nearest = orientationAt(view, session, ImGui::GetIO().MousePos, ui.px(8));
