@@ -378,6 +378,11 @@ TEST(InterfaceTexts, TooltipsTellTheKeys) {
   EXPECT_THAT(tip("timeline/play"), testing::EndsWith("(Space)"));
   EXPECT_THAT(tip("camera/use_view"), testing::EndsWith("(U)"));
   EXPECT_THAT(tip("speed/rate"), testing::Not(testing::EndsWith(")")));
+  // A greyed one tells why it is.
+  EXPECT_EQ(tip("speed/rate"), "The duration already follows the rate");
+  (*player)->perform(Command("set-duration", 3.0));
+  (*player)->frame();
+  EXPECT_NE(tip("speed/rate"), "The duration already follows the rate");
   (*player)->perform(Command("language", "de"));
   (*player)->frame();
   EXPECT_THAT(tip("orientation/next"), testing::EndsWith("(Strg+Bild ab)"));
