@@ -11,6 +11,7 @@
 #include "bars.hpp"
 #include "edit/texts.hpp"
 #include "host/open_host.hpp"
+#include "panels/sphere_path.hpp"
 #include "panels/timeline_panel.hpp"
 
 namespace vides {
@@ -93,6 +94,25 @@ Flight longFlight(std::size_t keys) {
   flight.keys = KeyList(std::move(list));
   return flight;
 }
+
+// The way of the VPN on the sphere, made anew after a key of many has moved.
+void Sphere_Dragged(benchmark::State& state) {
+  constexpr double kTolerance = 2.0 / 100.0;
+  Flight flight = longFlight(static_cast<std::size_t>(state.range(0)));
+  Evaluation evaluation(flight);
+  SpherePath path;
+  double at = 0.0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Key key = flight.keys[flight.keys.size() / 2];
+    key.position.y = 0.1 * std::sin(at += 0.1);
+    flight.keys.set(flight.keys.size() / 2, std::move(key));
+    evaluation = evaluation.updated(flight);
+    state.ResumeTiming();
+    path.follow(evaluation, {flight.keys.size() / 2, 0}, kTolerance);
+  }
+}
+BENCHMARK(Sphere_Dragged)->Arg(200)->Arg(1000)->Arg(100'000);
 
 // The timeline's panel alone, as a display frame makes it, without OpenGL.
 class Desk {

@@ -76,9 +76,10 @@ std::string timeText(const Ui& ui, double seconds, double span, int decimals) {
 }
 
 std::string paddedTime(const Ui& ui, double seconds, double span, int decimals) {
-  const std::string time = timeText(ui, seconds, span, decimals);
+  const double form = std::max(span, kMinute);
+  const std::string time = timeText(ui, seconds, form, decimals);
   const auto digits = [](const std::string& words) { return words.find_first_of(".,:"); };
-  const std::size_t widest = digits(timeText(ui, span, span, decimals));
+  const std::size_t widest = std::max<std::size_t>(2, digits(timeText(ui, form, form, decimals)));
   return std::string(widest - std::min(widest, digits(time)), '0') + time;
 }
 

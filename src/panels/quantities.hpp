@@ -32,7 +32,8 @@ std::string withUnit(const std::string& number, const std::string& unit);
 // A time of a flight that is `span` seconds long: "31.12 s", from a minute on "1:04.52", from an
 // hour on "2:21:17.80", rounded down; the form is that of the span, and none is longer than it.
 std::string timeText(const Ui& ui, double seconds, double span, int decimals);
-// The same with zeros in front, so that all times of a flight are as long: with a decimal at least.
+// As a clock shows it, "00:09.52": with minutes and zeros in front, so that all times of a flight
+// are as long; with a decimal at least.
 std::string paddedTime(const Ui& ui, double seconds, double span, int decimals);
 
 }  // namespace vides

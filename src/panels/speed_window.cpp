@@ -32,6 +32,7 @@ struct Measures {
 constexpr Measures kLarge{820.0f, 436.0f, 44.0f, 200.0f};
 constexpr Measures kFlat{944.0f, 264.0f, 40.0f, 158.0f};
 constexpr float kLowScreen = 1000.0f;
+constexpr float kViewportShare = 0.5f;
 constexpr float kRamps = 160.0f;  // width of the eases in a flat window
 constexpr float kLeastNarrow = 472.0f;
 constexpr float kNarrowGraph = 128.0f;
@@ -374,6 +375,21 @@ void belowTheCurve(Ui& ui, const Rect& room, const Rect& curve, const Session& s
 
 }  // namespace
 
+namespace {
+
+// Where a window of this height ends: above the timeline, of which it is about, where the viewport
+// keeps the larger half; else over it.
+float bottomOf(Ui& ui, float height) {
+  const float all = ImGui::GetIO().DisplaySize.y;
+  const Widget* timeline = ui.registry().find("view/timeline_splitter");
+  if (timeline == nullptr) return all;
+  const float top = timeline->rect.centreY();
+  const Rect& area = ui.workArea();
+  return top - height - area.y > kViewportShare * area.height ? top : all;
+}
+
+}  // namespace
+
 void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Actions& actions) {
   follow(session, memory);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -382,9 +398,12 @@ void speedWindow(Ui& ui, const Session& session, SpeedWindowMemory& memory, Acti
   const bool slim = wide < kLarge.width;
   const Measures measures = flat ? kFlat : slim ? narrow(std::max(kLeastNarrow, wide)) : kLarge;
   const FloatingFrame frame{
-      "speed",         measures.width,
-      measures.height, heading(ui, session, memory, ui.px(measures.width - 64.0f)),
-      std::nullopt,    std::max(ui.px(36), screen.y - ui.px(measures.height + 8))};
+      "speed",
+      measures.width,
+      measures.height,
+      heading(ui, session, memory, ui.px(measures.width - 64.0f)),
+      std::nullopt,
+      std::max(ui.px(36), bottomOf(ui, ui.px(measures.height + 8)) - ui.px(measures.height + 8))};
   const bool stays = floatingFrame(ui, frame, memory.place, [&](const Rect& room) {
     const Rect curve = curveWithNumbers(ui, room, measures, session, memory, actions);
     const bool owns = memory.graph.has_value();

@@ -54,6 +54,7 @@ constexpr float kPanelFoot = 16.0f;  // its lower padding and the gap to the nex
 
 // Pixels between what is drawn of the path and the exact one, at most.
 constexpr float kPathError = 0.5f;
+constexpr float kDraggedPathError = 2.0f;
 // A line that turns back sharper than this is cut: its joint would be a spike.
 constexpr float kSharp = -0.2f;  // cosine
 
@@ -190,8 +191,10 @@ void spherePanel(Ui& ui, Stack& column, float bottom, const Session& session, Fl
     }
     list.AddCircle(view.centre, view.radius, ui.colour(ColourRole::kCube, 0.7), 0,
                    std::max(1.0f, ui.scale()));
+    // During a drag the path is made anew for each display frame.
+    const float error = session.inDrag() ? kDraggedPathError : kPathError;
     const SpherePath& path =
-        graphs.path(session.current(), static_cast<double>(kPathError / view.radius));
+        graphs.path(session.current(), static_cast<double>(error / view.radius));
     const Vec3 current = session.evaluation().cameraAt(session.current()).viewPlaneNormal;
     drawOrientations(ui, list, view, path, current);
     // Where the camera looks at the playhead; on the current mark it is its middle.

@@ -17,8 +17,8 @@ namespace vides {
 class SpherePath {
  public:
   // With more sections, or keys, only some are followed, or marked.
-  static constexpr std::size_t kMostFollowed = 300;
-  static constexpr std::size_t kFollowedOfMany = 100;
+  static constexpr std::size_t kMostFollowed = 200;
+  static constexpr std::size_t kFollowedOfMany = 60;
   // Cameras that are evaluated for a path, about: past that, what is not yet exact has gaps.
   static constexpr std::size_t kMostEvaluated = 6000;
 
