@@ -54,7 +54,8 @@ void ViewportContext::addLabel(DrawText text, const LabelPlacer::Place& place, c
       list.items.push_back(line);
     }
   }
-  text.haloed = place.covers;
+  // What is current stands out from the scene, too, of which labels know nothing.
+  text.haloed = place.covers || needed;
   if (needed && crowded) {
     const PixelRectangle& r = view().pixels();
     const double down = std::clamp((text.pixel.y + 0.5 * size.y - r.y) / r.height, 0.0, 1.0);
