@@ -71,9 +71,11 @@ struct ColumnWidths {
 ColumnWidths columnWidths(const Ui& ui, const Layout& layout, float width) {
   const float left = layout.leftShown ? ui.px(layout.left) : 0.0f;
   // Unless the user has chosen a width, what the camera sees grows with the window.
-  const bool chosen = layout.right != Layout().right;
-  const float wide = std::clamp(kRightShare * width, ui.px(layout.right), ui.px(kMostRight));
-  const float right = !layout.rightShown ? 0.0f : chosen ? ui.px(layout.right) : std::round(wide);
+  float right = ui.px(layout.right);
+  if (layout.right == Layout().right) {
+    right = std::round(std::clamp(kRightShare * width, right, ui.px(kMostRight)));
+  }
+  if (!layout.rightShown) right = 0.0f;
   const float spare = std::max(0.0f, width - ui.px(kLeastViewport));
   const float least = std::min(left, ui.px(kLeastLeft)) + std::min(right, ui.px(kLeastRight));
   if (left > 0.0f && right > 0.0f && spare < least) {

@@ -125,7 +125,8 @@ void dashed(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 ink, float width, fl
 
 // Decimals for the speeds at all levels: three digits of the largest, as far as they fit.
 int axisDecimals(const Ui& ui, double most, float room) {
-  int decimals = 2 - std::clamp(static_cast<int>(std::floor(std::log10(most))), -3, 2);
+  const double power = most > 0.0 ? std::floor(std::log10(most)) : 0.0;
+  int decimals = 2 - static_cast<int>(std::clamp(power, -3.0, 2.0));
   while (decimals > 0 && ui.textWidth(grouped(ui, most, decimals), Weight::kSmall) > room) {
     --decimals;
   }

@@ -373,10 +373,6 @@ void belowTheCurve(Ui& ui, const Rect& room, const Rect& curve, const Session& s
   lowerGraphs(ui, {room.x, below, room.width, ui.px(kNarrowLower)}, half, session, memory);
 }
 
-}  // namespace
-
-namespace {
-
 // Where a window of this height ends: above the timeline, of which it is about, where the viewport
 // keeps the larger half; else over it.
 float bottomOf(Ui& ui, float height) {

@@ -194,7 +194,7 @@ void spherePanel(Ui& ui, Stack& column, float bottom, const Session& session, Fl
     // During a drag the path is made anew for each display frame.
     const float error = session.inDrag() ? kDraggedPathError : kPathError;
     const SpherePath& path =
-        graphs.path(session.current(), static_cast<double>(error / view.radius));
+        graphs.path(session.current(), static_cast<double>(error / std::max(1.0f, view.radius)));
     const Vec3 current = session.evaluation().cameraAt(session.current()).viewPlaneNormal;
     drawOrientations(ui, list, view, path, current);
     // Where the camera looks at the playhead; on the current mark it is its middle.

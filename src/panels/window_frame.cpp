@@ -207,9 +207,11 @@ bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place, const
   // Wholly in the work area, also when that has become smaller.
   const float wantedX = frame.x.value_or(area.centreX() - w / 2);
   const float wantedY = frame.y.value_or(area.centreY() - h / 2);
-  const float x = std::round(std::clamp(place.moved ? place.x : wantedX, area.x, area.right() - w));
-  const float y =
-      std::round(std::clamp(place.moved ? place.y : wantedY, area.y, area.bottom() - h));
+  const auto within = [](float wanted, float low, float high) {
+    return std::round(std::clamp(wanted, low, std::max(low, high)));
+  };
+  const float x = within(place.moved ? place.x : wantedX, area.x, area.right() - w);
+  const float y = within(place.moved ? place.y : wantedY, area.y, area.bottom() - h);
   ImGui::SetNextWindowPos({x, y});
   ImGui::SetNextWindowSize({w, h});
   const std::string id = "###" + frame.area;

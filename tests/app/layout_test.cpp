@@ -79,10 +79,12 @@ TEST_F(LargeWindow, HasMoreOfWhatIsLookedAt) {
   EXPECT_GT(rectOf("view/picture").width, 2.0f * view.width);
   // A width that the user chose stays.
   auto setup = player_->editor().session().setup();
-  setup.layout.right = 300.0f;
-  player_->editor().session().setSetup(setup);
-  for (int i = 0; i < 2; ++i) player_->frame();
-  EXPECT_EQ(rectOf("camera/picture").width, 300.0f - 32.0f);
+  for (const float chosen : {300.0f, static_cast<float>(kColumnWidth.max)}) {
+    setup.layout.right = chosen;
+    player_->editor().session().setSetup(setup);
+    for (int i = 0; i < 2; ++i) player_->frame();
+    EXPECT_EQ(rectOf("camera/picture").width, chosen - 32.0f);
+  }
 }
 
 // As much as fits, and never half a number.
