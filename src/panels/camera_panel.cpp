@@ -58,10 +58,7 @@ Rect cameraPanel(Ui& ui, Stack& column, const Session& session, Actions& actions
   if (!film)
     panel(ui, column, "panel/camera",
           [&](Stack& rows) { cameraButtons(ui, rows, session, actions); });
-  const Rect heading{column.x() + ui.px(8), (film ? top : bottom) + ui.px(4),
-                     column.width() - ui.px(16), ui.px(24)};
-  ui.text(heading, cameraCaption(ui, session),
-          {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
+  panelCaption(ui, column, film ? top : bottom, cameraCaption(ui, session));
   return picture;
 }
 

@@ -79,7 +79,7 @@ void speedPanel(Ui& ui, Stack& column, float bottom, float spare, const Session&
     const Orientation& orientation = session.currentOrientation();
     // At an open flight's last orientation no section begins.
     const bool owns = session.evaluation().next(place) != place;
-    const float below = 3 * (ui.px(kRow) + ui.px(4)) + 2 * ui.px(8);
+    const float below = 3 * (ui.px(kRow) + ui.px(4)) + panelFoot(ui);
     float height = (bottom - below - rows.y()) / ui.scale();
     if (height < kUsualCurve) height = std::min(kUsualCurve, height + spare / ui.scale());
     // In a column that must be scrolled anyway nothing is won by a flat one.

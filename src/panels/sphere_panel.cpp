@@ -50,7 +50,6 @@ void latitude(ImDrawList& list, const SphereView& view, double degrees, ImU32 fr
 }
 
 constexpr float kMeasureRow = 19.0f;
-constexpr float kPanelFoot = 16.0f;  // its lower padding and the gap to the next one
 
 // Pixels between what is drawn of the path and the exact one, at most.
 constexpr float kPathError = 0.5f;
@@ -176,7 +175,7 @@ std::optional<OrientationPlace> orientationAt(const SphereView& view, const Sess
 void spherePanel(Ui& ui, Stack& column, float bottom, const Session& session, FlightGraphs& graphs,
                  Actions& actions) {
   panel(ui, column, "panel/sphere", [&](Stack& rows) {
-    const float height = std::floor((bottom - rows.y()) / ui.scale()) - kPanelFoot;
+    const float height = std::floor((bottom - panelFoot(ui) - rows.y()) / ui.scale());
     const float side = std::min(rows.width() / ui.scale(), std::clamp(height, 128.0f, 320.0f));
     const Rect room = rows.row(side);
     const auto state = ui.area("camera/sphere", room);
@@ -240,8 +239,7 @@ void measuresPanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& 
         quality ? withUnit(ui.number(quality->maxAngularSpeed, 1), "\u00b0/s") : waiting;
     row("measures/turn_rate", turning, turning);
   });
-  const Rect heading{column.x() + ui.px(8), top + ui.px(4), column.width() - ui.px(16), ui.px(24)};
-  ui.text(heading, unit.whole, {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
+  panelCaption(ui, column, top, unit.whole);
 }
 
 }  // namespace vides

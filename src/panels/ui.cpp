@@ -282,7 +282,16 @@ void panel(Ui& ui, Stack& column, std::string_view headingKey,
   column = Stack(ui, column.x(), bottom + padding, column.width());
 }
 
-float panelHeight(const Ui& ui) { return ui.px(4) + ui.px(24) + ui.px(2) + 2 * ui.px(8); }
+float panelFoot(const Ui& ui) { return 2 * ui.px(8); }
+
+float panelHeight(const Ui& ui) { return ui.px(4) + ui.px(24) + ui.px(2) + panelFoot(ui); }
+
+Rect panelCaption(Ui& ui, const Stack& column, float top, std::string_view words) {
+  const Rect heading{column.x() + ui.px(8), top + ui.px(4), column.width() - 2 * ui.px(8),
+                     ui.px(24)};
+  ui.text(heading, words, {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
+  return heading;
+}
 
 void applyStyle(ImGuiStyle& style, const Theme& theme, float scale) {
   style = ImGuiStyle();

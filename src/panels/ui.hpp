@@ -277,6 +277,11 @@ void panel(Ui& ui, Stack& column, std::string_view headingKey,
 
 // Of a panel, with the gap to the next one, apart from what is in it.
 float panelHeight(const Ui& ui);
+// Of that, what stands below its content.
+float panelFoot(const Ui& ui);
+// Words at the right end of the heading of a panel that begins at `top`; gives back the heading's
+// place.
+Rect panelCaption(Ui& ui, const Stack& column, float top, std::string_view words);
 
 // Dear ImGui's own parts (menus, text fields, tooltips, scroll bars) in the theme's colours.
 void applyStyle(ImGuiStyle& style, const Theme& theme, float scale);

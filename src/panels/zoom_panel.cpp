@@ -33,10 +33,8 @@ void zoomPanel(Ui& ui, Stack& column, float bottom, const Session& session, Acti
     const std::string told = fmt::format("{} mm \u00b7 {}\u00b0",
                                          ui.number(lens.focalLength(zoom), 1), ui.number(angle, 1));
     if (low) {
-      const Rect heading{rows.x(), top + ui.px(4), rows.width(), ui.px(24)};
-      ui.shows("zoom/lens", heading, told);
-      ui.text(heading, ui.number(zoom, 1) + " \u00b7 " + told,
-              {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
+      const std::string both = ui.number(zoom, 1) + " \u00b7 " + told;
+      ui.shows("zoom/lens", panelCaption(ui, column, top, both), told);
     } else {
       ui.valueRow(rows.row(20), "zoom/lens", ui.number(zoom, 1), told);
     }

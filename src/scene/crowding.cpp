@@ -46,8 +46,13 @@ void Crowding::begin(const PixelRectangle& area, double cell) {
   anyChanged_ = false;
 }
 
+Vec2 Crowding::inCells(const Vec2& pixel) const {
+  return {(pixel.x - area_.x) * perCell_ + 2.0, (pixel.y - area_.y) * perCell_ + 2.0};
+}
+
 bool Crowding::spread(const Vec2& pixel, Spread& result) const {
-  const double x = (pixel.x - area_.x) * perCell_ + 2.0, y = (pixel.y - area_.y) * perCell_ + 2.0;
+  const Vec2 at = inCells(pixel);
+  const double x = at.x, y = at.y;
   if (!(x >= 1.0 && y >= 1.0 && x < static_cast<double>(columns_ - 2) &&
         y < static_cast<double>(rows_ - 2))) {
     return false;
@@ -84,7 +89,8 @@ void Crowding::mark(std::size_t column, std::size_t row) {
 bool Crowding::changed(const Vec2& pixel) const {
   if (allChanged_) return true;
   if (!anyChanged_) return false;
-  const double x = (pixel.x - area_.x) * perCell_ + 2.0, y = (pixel.y - area_.y) * perCell_ + 2.0;
+  const Vec2 at = inCells(pixel);
+  const double x = at.x, y = at.y;
   if (!(x >= 0.0 && y >= 0.0 && x < static_cast<double>(columns_) &&
         y < static_cast<double>(rows_))) {
     return false;

@@ -38,6 +38,8 @@ class Crowding {
     std::size_t column, row;  // of the first of four rows of four cells
     double x[4], y[4];
   };
+  // In cells from the map's corner.
+  Vec2 inCells(const Vec2& pixel) const;
   bool spread(const Vec2& pixel, Spread& result) const;
   void change(const Vec2& pixel, double sign);
   void mark(std::size_t column, std::size_t row);
