@@ -106,10 +106,12 @@ struct Editor::Parts {
   Ui::Setting uiSetting();
   void window(Ui& ui, Actions& actions);
   void arrange(Ui& ui, const Rect& all, Actions& actions);
+  // editor_columns.cpp
   void leftColumn(Ui& ui, const Rect& rect, bool both, Actions& actions);
   void leftPanels(Ui& ui, Stack& column, float bottom, Actions& actions);
   void rightPanels(Ui& ui, Stack& column, float bottom, Actions& actions);
   void rightColumn(Ui& ui, const Rect& rect, Actions& actions);
+  // editor_window.cpp
   struct Caption {
     Rect box;
     std::string words;  // empty where there is no room

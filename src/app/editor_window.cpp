@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/editor_parts.hpp"
-#include "panels/left_panels.hpp"
+#include "panels/column_layout.hpp"
 #include "panels/menu_bar.hpp"
 #include "panels/right_panels.hpp"
 #include "panels/viewport_panel.hpp"
@@ -18,73 +18,9 @@ namespace {
 
 // At content scale 1.
 constexpr float kMenuHeight = 28.0f;
-constexpr float kLeastViewport = 160.0f;
-// What the columns' contents can do with. Where there isn't as much, one column holds both.
-constexpr float kLeastLeft = 240.0f;
-constexpr float kLeastRight = 216.0f;
 constexpr float kSplitter = 6.0f;
 constexpr float kLeastForWords = 200.0f;
 constexpr double kPlate = 0.7;  // of a text over the picture
-// In a large window.
-constexpr float kRightShare = 0.2f, kMostRight = 400.0f;
-constexpr float kTimelineShare = 0.17f, kMostTimeline = 220.0f;
-
-// A region of the window with a scroll bar where it is too low for what it holds.
-void region(const char* id, const Rect& rect, const std::function<void(Rect)>& content) {
-  ImGui::SetCursorScreenPos({rect.x, rect.y});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-  const bool seen = ImGui::BeginChild(id, {rect.width, rect.height}, false, ImGuiWindowFlags_NoNav);
-  ImGui::PopStyleVar();
-  if (seen) {
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    content({from.x, from.y, ImGui::GetContentRegionAvail().x, rect.height});
-  }
-  ImGui::EndChild();
-}
-
-// The panels' height becomes the region's, so that it can be scrolled.
-void endStack(const Stack& stack, float top) {
-  ImGui::SetCursorScreenPos({stack.x(), top});
-  ImGui::Dummy({1.0f, std::max(1.0f, stack.y() - top)});
-}
-
-// In a low window the columns need the room more, in a high one there is enough; unless the user
-// has chosen a height.
-float timelineHeight(const Ui& ui, const Layout& layout, float height) {
-  constexpr float kLeast = 116.0f;
-  constexpr float kEnough = 772.0f;  // for all of it beside the columns
-  constexpr float kSlope = 0.42f;
-  float wanted = ui.px(layout.timeline);
-  if (layout.timeline != Layout().timeline) return std::min(wanted, height * 0.5f);
-  wanted = std::clamp(std::round(kTimelineShare * height), wanted, ui.px(kMostTimeline));
-  const float low = std::max(
-      ui.px(kLeast), ui.px(layout.timeline) - std::round(kSlope * (ui.px(kEnough) - height)));
-  return std::min({wanted, low, height * 0.5f});
-}
-
-// Pixels that the columns take. Where there is no room for both, the left one holds the right one's
-// panels, too.
-struct ColumnWidths {
-  float left = 0.0f, right = 0.0f;
-  bool both = false;
-};
-ColumnWidths columnWidths(const Ui& ui, const Layout& layout, float width) {
-  const float left = layout.leftShown ? ui.px(layout.left) : 0.0f;
-  // Unless the user has chosen a width, what the camera sees grows with the window.
-  float right = ui.px(layout.right);
-  if (layout.right == Layout().right) {
-    right = std::round(std::clamp(kRightShare * width, right, ui.px(kMostRight)));
-  }
-  if (!layout.rightShown) right = 0.0f;
-  const float spare = std::max(0.0f, width - ui.px(kLeastViewport));
-  const float least = std::min(left, ui.px(kLeastLeft)) + std::min(right, ui.px(kLeastRight));
-  if (left > 0.0f && right > 0.0f && spare < least) {
-    const float half = std::max(ui.px(kLeastLeft), std::floor(width / 2.0f));
-    return {std::min({left, half, width}), 0.0f, true};
-  }
-  const float share = std::min(1.0f, spare / std::max(1.0f, left + right));
-  return {std::floor(left * share), std::floor(right * share), false};
-}
 
 // Room for words beside what is drawn.
 bool roomy(const Ui& ui, const Rect& rect) {
@@ -120,44 +56,6 @@ ViewportState Editor::Parts::viewportState() const {
   state.hovered = tools.hovered();
   state.drag = tools.drag();
   return state;
-}
-
-void Editor::Parts::leftColumn(Ui& ui, const Rect& rect, bool both, Actions& actions) {
-  region("###left", rect, [&](const Rect& room) {
-    const float pad = ui.px(8);
-    Stack column(ui, room.x + pad, room.y + pad, rect.width - 2 * pad);
-    const float bottom = room.y + rect.height;
-    leftPanels(ui, column, both ? column.y() : bottom, actions);
-    if (both) rightPanels(ui, column, column.y() + rect.height, actions);
-    endStack(column, room.y);
-  });
-}
-
-void Editor::Parts::leftPanels(Ui& ui, Stack& column, float bottom, Actions& actions) {
-  positionPanel(ui, column, session, actions);
-  orientationPanel(ui, column, session, actions);
-  const float zoom = zoomPanelHeight(ui, false);
-  speedPanel(ui, column, bottom - zoom, zoom - zoomPanelHeight(ui, true), session, actions);
-  zoomPanel(ui, column, bottom, session, actions);
-}
-
-void Editor::Parts::rightColumn(Ui& ui, const Rect& rect, Actions& actions) {
-  region("###right", rect, [&](const Rect& room) {
-    const float pad = ui.px(8);
-    Stack column(ui, room.x + pad, room.y + pad, rect.width - 2 * pad);
-    rightPanels(ui, column, room.y + rect.height, actions);
-    endStack(column, room.y);
-  });
-}
-
-void Editor::Parts::rightPanels(Ui& ui, Stack& column, float bottom, Actions& actions) {
-  const Rect picture = cameraPanel(ui, column, session, actions);
-  const bool film = !session.view().swapped;
-  pictureArea(ui, picture, film, true);
-  pictures->camera(ui, *ImGui::GetWindowDrawList(), picture, session, scenes, viewportState());
-  if (film && session.freeCamera()) freeViewSign(ui, picture);
-  spherePanel(ui, column, bottom - measuresPanelHeight(ui), session, graphs, actions);
-  measuresPanel(ui, column, session, graphs);
 }
 
 // What the pointer can do here, what it can't, and the box that it draws: over all, since the
@@ -299,30 +197,27 @@ void Editor::Parts::splitters(Ui& ui, const Rect& all, const Rect& left, const R
   const float thick = ui.px(kSplitter);
   const Layout& layout = session.layout();
   Layout next = layout;
-  const auto change = [&](const char* id, const Rect& rect, bool vertical, float& size, bool& on,
-                          float sign, const Range& range) {
+  // A drag goes on from the size that is seen, which need not be the one that was chosen.
+  const auto change = [&](const char* id, const Rect& rect, bool vertical, float seen, float& size,
+                          bool& on, float sign, const Range& range) {
     // Above the regions beside it, which would have the pointer otherwise.
     SplitterChange by;
     region(("###" + std::string(id)).c_str(), rect,
            [&](const Rect&) { by = splitter(ui, id, rect, vertical); });
     if (by.fold) on = !on;
     if (by.by != 0.0f && on)
-      size = std::clamp(size + sign * by.by, static_cast<float>(range.min),
+      size = std::clamp(seen / ui.scale() + sign * by.by, static_cast<float>(range.min),
                         static_cast<float>(range.max));
   };
   const float height = timelineRect.y - all.y;
-  change("view/left_splitter", {left.right() - thick / 2, all.y, thick, height}, true, next.left,
-         next.leftShown, 1.0f, kColumnWidth);
+  change("view/left_splitter", {left.right() - thick / 2, all.y, thick, height}, true, left.width,
+         next.left, next.leftShown, 1.0f, kLeftWidth);
   if (!both) {
-    change("view/right_splitter", {right.x - thick / 2, all.y, thick, height}, true, next.right,
-           next.rightShown, -1.0f, kColumnWidth);
+    change("view/right_splitter", {right.x - thick / 2, all.y, thick, height}, true, right.width,
+           next.right, next.rightShown, -1.0f, kRightWidth);
   }
-  // From the height that is seen, which a low window makes less.
-  const float seen = timelineRect.height / ui.scale();
-  float timelineNow = seen;
   change("view/timeline_splitter", {all.x, timelineRect.y - thick / 2, all.width, thick}, false,
-         timelineNow, next.timelineShown, -1.0f, kTimelineHeight);
-  if (timelineNow != seen) next.timeline = timelineNow;
+         timelineRect.height, next.timeline, next.timelineShown, -1.0f, kTimelineHeight);
   if (next != layout) actions.layout = next;
 }
 
@@ -375,7 +270,10 @@ void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {
   const float bar = layout.timelineShown ? timelineHeight(ui, layout, all.height) : 0.0f;
   const Rect timelineRect{all.x, all.bottom() - bar, all.width, bar};
   const float middle = all.height - bar;
-  const ColumnWidths widths = columnWidths(ui, layout, all.width);
+  const PictureFormat& format = session.flight().picture;
+  const ColumnWidths widths = columnWidths(
+      ui, layout, all.width, middle,
+      static_cast<float>(static_cast<double>(format.width) / static_cast<double>(format.height)));
   const Rect left{all.x, all.y, widths.left, middle};
   const Rect right{all.right() - widths.right, all.y, widths.right, middle};
   const Rect view{left.right(), all.y, std::max(0.0f, right.x - left.right()), middle};

@@ -6,8 +6,10 @@
 
 namespace vides {
 
-inline constexpr Range kColumnWidth{220, 480};     // pixels at content scale 1
-inline constexpr Range kTimelineHeight{104, 400};  // likewise
+// Pixels at content scale 1.
+inline constexpr Range kLeftWidth{220, 480};
+inline constexpr Range kRightWidth{220, 2000};  // what the camera sees may become large
+inline constexpr Range kTimelineHeight{104, 400};
 
 // In pixels at content scale 1.
 struct Layout {

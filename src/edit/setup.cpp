@@ -86,8 +86,8 @@ bool readLength(VidValues& v, const Range& range, float& into) {
 }
 
 constexpr Member<Layout> kLayoutMembers[] = {
-    {"left", [](VidValues& v, Layout& l) { readLength(v, kColumnWidth, l.left); }},
-    {"right", [](VidValues& v, Layout& l) { readLength(v, kColumnWidth, l.right); }},
+    {"left", [](VidValues& v, Layout& l) { readLength(v, kLeftWidth, l.left); }},
+    {"right", [](VidValues& v, Layout& l) { readLength(v, kRightWidth, l.right); }},
     {"timeline", [](VidValues& v, Layout& l) { readLength(v, kTimelineHeight, l.timeline); }},
     {"left_shown", [](VidValues& v, Layout& l) { v.boolean(l.leftShown); }},
     {"right_shown", [](VidValues& v, Layout& l) { v.boolean(l.rightShown); }},

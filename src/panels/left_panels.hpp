@@ -8,13 +8,18 @@
 
 namespace vides {
 
-// Each adds itself to the column and what the user asks for to the actions.
+// Each adds itself to the column and what the user asks for to the actions. Their heights, with the
+// gap to the next one, are those in a column of that width at the Ui's density.
 void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+float positionPanelHeight(const Ui& ui, float width);
 void orientationPanel(Ui& ui, Stack& column, const Session& session, Actions& actions);
+float orientationPanelHeight(const Ui& ui, float width);
 // Its curve is as high as there is room above `bottom`; where there is too little, what stands
 // below can give up `spare` pixels.
 void speedPanel(Ui& ui, Stack& column, float bottom, float spare, const Session& session,
                 Actions& actions);
+// With the lowest curve.
+float speedPanelHeight(const Ui& ui);
 // In one row less where it fits above `bottom` only so.
 void zoomPanel(Ui& ui, Stack& column, float bottom, const Session& session, Actions& actions);
 float zoomPanelHeight(const Ui& ui, bool low);
@@ -35,6 +40,9 @@ struct ThreeColumns {
 ThreeColumns threeColumns(const Ui& ui, const Rect& row);
 // The same for three numbers; in a column too narrow for them the label stands above.
 ThreeColumns threeNumbers(const Ui& ui, Stack& rows);
+float threeNumbersHeight(const Ui& ui, float width);
+// What panels of a column of that width have for their rows.
+float rowWidth(const Ui& ui, float columnWidth);
 // The current key's place (the aim's) in the fields AREA/x, y, z (AREA/aim_x …), in the units that
 // are chosen: the command for what was typed.
 std::optional<Command> positionFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],

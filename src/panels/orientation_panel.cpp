@@ -18,6 +18,11 @@ void aimRow(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
 
 }  // namespace
 
+float orientationPanelHeight(const Ui& ui, float width) {
+  return panelHeight(ui) + 3 * (ui.tall(kRow) + ui.tall(4)) +
+         threeNumbersHeight(ui, rowWidth(ui, width));
+}
+
 void orientationPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) {
   panel(ui, column, "panel/orientation", [&](Stack& rows) {
     auto row = split(ui, rows.row(kRow), 4);

@@ -38,16 +38,30 @@ ThreeColumns threeColumns(const Ui& ui, const Rect& row) {
   return result;
 }
 
-ThreeColumns threeNumbers(const Ui& ui, Stack& rows) {
-  constexpr float kHeight = 22.0f;
-  const Rect probe{rows.x(), rows.y(), rows.width(), ui.px(kHeight)};
-  const ThreeColumns beside = threeColumns(ui, probe);
+namespace {
+
+constexpr float kNumberRow = 22.0f, kLabelRow = 18.0f;
+
+bool fitsBeside(const Ui& ui, float width) {
+  const ThreeColumns beside = threeColumns(ui, {0.0f, 0.0f, width, ui.tall(kNumberRow)});
   const float needed =
       ui.textWidth(ui.number(-1.0, 3), Weight::kSemibold) + 2 * Ui::kTightInset * ui.scale();
-  if (beside.values[0].width >= needed) return threeColumns(ui, rows.row(kHeight));
+  return beside.values[0].width >= needed;
+}
+
+}  // namespace
+
+float threeNumbersHeight(const Ui& ui, float width) {
+  return ui.tall(kNumberRow) + (fitsBeside(ui, width) ? 0.0f : ui.tall(kLabelRow));
+}
+
+float rowWidth(const Ui& ui, float columnWidth) { return columnWidth - 2 * ui.px(8); }
+
+ThreeColumns threeNumbers(const Ui& ui, Stack& rows) {
+  if (fitsBeside(ui, rows.width())) return threeColumns(ui, rows.row(kNumberRow));
   ThreeColumns above;
-  above.label = rows.row(18);
-  const std::vector<Rect> parts = split(ui, rows.row(kHeight), 3);
+  above.label = rows.row(kLabelRow);
+  const std::vector<Rect> parts = split(ui, rows.row(kNumberRow), 3);
   std::copy(parts.begin(), parts.end(), above.values);
   return above;
 }

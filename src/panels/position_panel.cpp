@@ -50,6 +50,11 @@ void shapeRow(Ui& ui, Stack& rows, const Session& session, std::size_t index, bo
 
 }  // namespace
 
+float positionPanelHeight(const Ui& ui, float width) {
+  const float numbers = threeNumbersHeight(ui, rowWidth(ui, width));
+  return panelHeight(ui) + 3 * (ui.tall(kRow) + numbers) + 4 * ui.tall(4) + ui.tall(6);
+}
+
 void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actions) {
   panel(ui, column, "panel/position", [&](Stack& rows) {
     auto row = splitFor(ui, rows.row(kRow),

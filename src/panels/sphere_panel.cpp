@@ -50,6 +50,8 @@ void latitude(ImDrawList& list, const SphereView& view, double degrees, ImU32 fr
 }
 
 constexpr float kMeasureRow = 19.0f;
+// So that a mark on the rim is whole.
+constexpr float kRim = 8.0f;
 
 // Pixels between what is drawn of the path and the exact one, at most.
 constexpr float kPathError = 0.5f;
@@ -175,13 +177,13 @@ std::optional<OrientationPlace> orientationAt(const SphereView& view, const Sess
 void spherePanel(Ui& ui, Stack& column, float bottom, const Session& session, FlightGraphs& graphs,
                  Actions& actions) {
   panel(ui, column, "panel/sphere", [&](Stack& rows) {
-    const float height = std::floor((bottom - panelFoot(ui) - rows.y()) / ui.scale());
-    const float side = std::min(rows.width() / ui.scale(), std::clamp(height, 128.0f, 320.0f));
-    const Rect room = rows.row(side);
+    const float height = std::floor(bottom - panelFoot(ui) - rows.y());
+    const float side = std::min(rows.width(), std::clamp(height, leastSphere(ui), mostSphere(ui)));
+    const Rect room = rows.room(side);
     const auto state = ui.area("camera/sphere", room);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const SphereView view(session.view().view, {room.centreX(), room.centreY()},
-                          room.height / 2.0f - ui.px(4));
+                          room.height / 2.0f - ui.px(kRim));
     list.AddCircleFilled(view.centre, view.radius, ui.colour(ColourRole::kField));
     const ImU32 front = ui.colour(ColourRole::kCube, 0.45);
     const ImU32 back = ui.colour(ColourRole::kCube, 0.16);
@@ -211,7 +213,10 @@ void spherePanel(Ui& ui, Stack& column, float bottom, const Session& session, Fl
   });
 }
 
-float measuresPanelHeight(const Ui& ui) { return panelHeight(ui) + 4 * ui.px(kMeasureRow); }
+float leastSphere(const Ui& ui) { return ui.tall(124); }
+float mostSphere(const Ui& ui) { return ui.px(320); }
+
+float measuresPanelHeight(const Ui& ui) { return panelHeight(ui) + 4 * ui.tall(kMeasureRow); }
 
 void measuresPanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& graphs) {
   const float top = column.y();

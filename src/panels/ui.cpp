@@ -223,13 +223,15 @@ void Ui::menu(std::string_view id, const Rect& rect, std::string_view label, boo
                          open ? "open" : "", enabled});
 }
 
-Rect Stack::row(float heightAtScale1) {
-  const Rect result{x_, y_, width_, ui_->px(heightAtScale1)};
-  y_ += result.height;
+Rect Stack::row(float heightAtScale1) { return room(ui_->tall(heightAtScale1)); }
+
+Rect Stack::room(float pixels) {
+  const Rect result{x_, y_, width_, pixels};
+  y_ += pixels;
   return result;
 }
 
-void Stack::gap(float heightAtScale1) { y_ += ui_->px(heightAtScale1); }
+void Stack::gap(float heightAtScale1) { y_ += ui_->tall(heightAtScale1); }
 
 std::vector<Rect> split(const Ui& ui, const Rect& row, int parts, float gapAtScale1) {
   std::vector<Rect> result;
@@ -265,30 +267,30 @@ std::vector<Rect> splitFor(const Ui& ui, const Rect& row, const std::vector<std:
 void panel(Ui& ui, Stack& column, std::string_view headingKey,
            const std::function<void(Stack&)>& content) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float padding = ui.px(8);
+  const float padding = ui.px(8), foot = ui.tall(8);
   const float top = column.y();
   list.ChannelsSplit(2);
   list.ChannelsSetCurrent(1);
-  Stack inner(ui, column.x() + padding, top + ui.px(4), column.width() - 2 * padding);
+  Stack inner(ui, column.x() + padding, top + ui.tall(4), column.width() - 2 * padding);
   ui.text(inner.row(24), ui.words(headingKey), {.weight = Weight::kSemibold});
   inner.gap(2);
   content(inner);
-  const float bottom = inner.y() + padding;
+  const float bottom = inner.y() + foot;
   list.ChannelsSetCurrent(0);
   const Rect ground{column.x(), top, column.width(), bottom - top};
   ui.fill(ground, ColourRole::kPanel, 5.0f);
   if (ui.divider() != ColourRole::kWindow) ui.outline(ground, ui.divider(), 5.0f);
   list.ChannelsMerge();
-  column = Stack(ui, column.x(), bottom + padding, column.width());
+  column = Stack(ui, column.x(), bottom + foot, column.width());
 }
 
-float panelFoot(const Ui& ui) { return 2 * ui.px(8); }
+float panelFoot(const Ui& ui) { return 2 * ui.tall(8); }
 
-float panelHeight(const Ui& ui) { return ui.px(4) + ui.px(24) + ui.px(2) + panelFoot(ui); }
+float panelHeight(const Ui& ui) { return ui.tall(4) + ui.tall(24) + ui.tall(2) + panelFoot(ui); }
 
 Rect panelCaption(Ui& ui, const Stack& column, float top, std::string_view words) {
-  const Rect heading{column.x() + ui.px(8), top + ui.px(4), column.width() - 2 * ui.px(8),
-                     ui.px(24)};
+  const Rect heading{column.x() + ui.px(8), top + ui.tall(4), column.width() - 2 * ui.px(8),
+                     ui.tall(24)};
   ui.text(heading, words, {.colour = ColourRole::kTextSecondary, .align = Align::kRight});
   return heading;
 }

@@ -136,6 +136,10 @@ class Ui {
   float scale() const { return setting_.scale; }
   // Pixels at the content scale, whole.
   float px(float atScale1) const;
+  // Heights of panels' rows and the gaps between them: in a low column closer than drawn (1).
+  float density() const { return density_; }
+  void setDensity(float density) { density_ = density; }
+  float tall(float atScale1) const { return px(atScale1 * density_); }
   // Where windows may stand: below the menu bar, apart from the edges.
   const Rect& workArea() const { return workArea_; }
   void setWorkArea(const Rect& area) { workArea_ = area; }
@@ -248,14 +252,17 @@ class Ui {
 
   Setting setting_;
   Rect workArea_;
+  float density_ = 1.0f;
 };
 
-// Rows of a panel, one under the other.
+// Rows of a panel, one under the other, as close as the Ui's density says.
 class Stack {
  public:
   Stack(const Ui& ui, float x, float y, float width) : ui_(&ui), x_(x), y_(y), width_(width) {}
   Rect row(float heightAtScale1);
   void gap(float heightAtScale1);
+  // A row of so many pixels, whatever the density: a picture's.
+  Rect room(float pixels);
   float y() const { return y_; }
   float x() const { return x_; }
   float width() const { return width_; }

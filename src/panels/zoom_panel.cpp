@@ -10,7 +10,7 @@
 namespace vides {
 
 float zoomPanelHeight(const Ui& ui, bool low) {
-  return panelHeight(ui) + ui.px(18) + (low ? 0.0f : ui.px(20));
+  return panelHeight(ui) + ui.tall(18) + (low ? 0.0f : ui.tall(20));
 }
 
 void zoomPanel(Ui& ui, Stack& column, float bottom, const Session& session, Actions& actions) {

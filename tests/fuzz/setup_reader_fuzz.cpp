@@ -30,8 +30,8 @@ void checkRanges(const Setup& setup) {
   require(kGhostEvery.contains(display.shown.ghostEvery), "so is the distance of ghosts");
   require(kGridSteps.contains(display.gridStep), "so is the grid's step");
   const Layout& layout = setup.layout;
-  require(kColumnWidth.contains(static_cast<double>(layout.left)) &&
-              kColumnWidth.contains(static_cast<double>(layout.right)) &&
+  require(kLeftWidth.contains(static_cast<double>(layout.left)) &&
+              kRightWidth.contains(static_cast<double>(layout.right)) &&
               kTimelineHeight.contains(static_cast<double>(layout.timeline)),
           "so are columns and timeline");
 }
