@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Speed: the current section's curve in small, its duration and the hold before it.
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 
@@ -70,7 +68,14 @@ Ui::Typed numberRow(Ui& ui, const Rect& row, std::string_view id, double value, 
   return typed;
 }
 
+// What stands below the curve: duration, hold, buttons.
+float belowCurve(const Ui& ui) { return 3 * (ui.tall(kRow) + ui.tall(4)); }
+
 }  // namespace
+
+float speedPanelHeight(const Ui& ui) {
+  return panelHeight(ui) + ui.px(kLeastCurve) + belowCurve(ui);
+}
 
 void speedPanel(Ui& ui, Stack& column, float bottom, float spare, const Session& session,
                 Actions& actions) {
@@ -79,18 +84,19 @@ void speedPanel(Ui& ui, Stack& column, float bottom, float spare, const Session&
     const Orientation& orientation = session.currentOrientation();
     // At an open flight's last orientation no section begins.
     const bool owns = session.evaluation().next(place) != place;
-    const float below = 3 * (ui.px(kRow) + ui.px(4)) + panelFoot(ui);
+    const float below = belowCurve(ui) + panelFoot(ui);
     float height = (bottom - below - rows.y()) / ui.scale();
     if (height < kUsualCurve) height = std::min(kUsualCurve, height + spare / ui.scale());
     // In a column that must be scrolled anyway nothing is won by a flat one.
     if (height < kLeastCurve) height = kUsualCurve;
-    smallCurve(ui, rows.row(std::floor(std::min(height, kMostCurve))), session, owns, actions);
+    smallCurve(ui, rows.room(ui.px(std::floor(std::min(height, kMostCurve)))), session, owns,
+               actions);
     rows.gap(4);
     const auto section = owns ? session.evaluation().sectionFrom(place) : std::nullopt;
     const std::int64_t frames = section ? section->frames : 0;
     const double fps = session.flight().frameRate;
     const auto frameNote = [&](std::int64_t count) {
-      return fmt::format("{} {}", count, ui.words("frames_short"));
+      return ui.tell(Text("frames.short", {count}));
     };
     auto typed = numberRow(ui, rows.row(kRow), "speed/duration",
                            orientation.duration.value_or(static_cast<double>(frames) / fps), owns,

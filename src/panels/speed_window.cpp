@@ -315,7 +315,8 @@ void duration(Ui& ui, Stack& rows, const Session& session, const SpeedWindowMemo
         orientation.duration.value_or(static_cast<double>(frames) / fps), 2, " s", owns,
         "set-duration");
   field("speed/frames", "speed.frames", static_cast<double>(frames), 0,
-        " " + ui.words("frames_short"), owns, "set-duration-frames");
+        " " + ui.words(frames == 1 ? "frames_short#one" : "frames_short"), owns,
+        "set-duration-frames");
   field("speed/hold_seconds", "speed/hold", orientation.hold, 2, " s", true, "set-hold");
   commandButton(ui, "speed/by_rate", rows.row(kRow), "clear-duration", session, actions,
                 {.enabled = orientation.duration.has_value()});
