@@ -65,27 +65,39 @@ std::optional<OrientationPlace> Chain::previousSection(const OrientationPlace& p
 
 std::optional<double> Chain::speedBefore(const OrientationPlace& place) const {
   const auto p = previousSection(place);
-  return p ? std::optional(at(*p).speed.values().back()) : std::nullopt;
+  if (!p || at(*p).kind != at(place).kind || rests(after(*p), place)) return std::nullopt;
+  return at(*p).speed.values().back();
 }
 
 std::optional<double> Chain::speedAfter(const OrientationPlace& place) const {
   const auto n = nextSection(place);
-  return n ? std::optional(at(*n).speed.values().front()) : std::nullopt;
+  if (!n || at(*n).kind != at(place).kind || rests(after(place), *n)) return std::nullopt;
+  return at(*n).speed.values().front();
 }
 
 std::int64_t Chain::holdsBefore(const OrientationPlace& place) const {
-  std::int64_t sum = tree_.summaryBefore(place.key).holdFrames;
+  std::int64_t sum = tree_.summaryBefore(place.key).holds();
   const KeyRecord& r = record(place.key);
-  for (std::size_t j = 0; j < place.orientation; ++j) sum += r.sections[j].holdFrames;
+  for (std::size_t j = 0; j < place.orientation; ++j) sum += r.sections[j].holds() ? 1 : 0;
   return sum;
 }
 
-std::int64_t Chain::holdsThrough(const OrientationPlace& first,
-                                 const OrientationPlace& last) const {
-  if (first == last) return at(first).holdFrames;
+bool Chain::rests(const OrientationPlace& first, const OrientationPlace& last) const {
+  if (at(first).holds() || at(last).holds()) return true;
+  if (first == last || tree_.summary().holds() == 0) return false;
   const std::int64_t start = holdsBefore(first);
-  const std::int64_t end = holdsBefore(last) + at(last).holdFrames;
-  return first <= last ? end - start : tree_.summary().holdFrames - start + end;
+  const std::int64_t end = holdsBefore(last);
+  return first < last ? end > start : tree_.summary().holds() > start || end > 0;
+}
+
+bool Chain::restsBefore(const OrientationPlace& place, const Neighbours& beside) const {
+  return rests(beside.previous ? after(*beside.previous) : OrientationPlace{}, place);
+}
+
+bool Chain::restsAfter(const OrientationPlace& place, const Neighbours& beside) const {
+  const std::size_t lastKey = keys() - 1;
+  const OrientationPlace last{lastKey, record(lastKey).sections.size() - 1};
+  return rests(after(place), beside.next.value_or(last));
 }
 
 int Chain::sign(const OrientationPlace& place) const {
@@ -157,22 +169,14 @@ PathInput Chain::pathInput(const OrientationPlace& place, const Neighbours& besi
   in.curve = curve_;
   const int own = linkSign(place);
   in.section = pathSection(place, 1, own);
-  const OrientationPlace end = after(place);
+  in.restsBefore = restsBefore(place, beside);
+  in.restsAfter = restsAfter(place, beside);
   if (const auto& p = beside.previous) {
-    const OrientationPlace joint = after(*p);
     const int link = linkSign(*p);
-    in.previous = pathSection(*p, signBetween(joint, place) * link, link);
-    in.restsBefore = holdsThrough(joint, place) > 0;
-  } else {
-    in.restsBefore = holdsThrough({0, 0}, place) > 0;
+    in.previous = pathSection(*p, signBetween(after(*p), place) * link, link);
   }
   if (const auto& n = beside.next) {
-    in.next = pathSection(*n, own * signBetween(end, *n), linkSign(*n));
-    in.restsAfter = holdsThrough(end, *n) > 0;
-  } else {
-    const std::size_t lastKey = keys() - 1;
-    const OrientationPlace last{lastKey, record(lastKey).sections.size() - 1};
-    in.restsAfter = holdsThrough(end, last) > 0;
+    in.next = pathSection(*n, own * signBetween(after(place), *n), linkSign(*n));
   }
   return in;
 }

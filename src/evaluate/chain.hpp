@@ -42,13 +42,19 @@ class Chain {
   // The section with frames that is number `rank` of all.
   OrientationPlace sectionOfRank(std::int64_t rank) const;
 
-  // The last speed value of the section before, the first of the section after.
+  // The last speed value of the section before, the first of the section after, where the curve
+  // goes on over the joint: between sections of one kind, without a rest.
   std::optional<double> speedBefore(const OrientationPlace& place) const;
   std::optional<double> speedAfter(const OrientationPlace& place) const;
 
-  // Hold frames of the orientations from `first` to `last`, both included, over the seam if need
-  // be.
-  std::int64_t holdsThrough(const OrientationPlace& first, const OrientationPlace& last) const;
+  // Whether one of the orientations from `first` to `last`, both included, over the seam if need
+  // be, has a hold.
+  bool rests(const OrientationPlace& first, const OrientationPlace& last) const;
+
+  // Whether a hold lies in the joint (or at the open end) before (after) the section that begins
+  // at `place`.
+  bool restsBefore(const OrientationPlace& place, const Neighbours& beside) const;
+  bool restsAfter(const OrientationPlace& place, const Neighbours& beside) const;
 
   // The sign that the chain gives to the orientation's quaternion.
   int sign(const OrientationPlace& place) const;

@@ -17,59 +17,59 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-// Sums inside one record, up to an orientation.
-struct Inside {
-  std::int64_t frames = 0;
-  std::int64_t entries = 0;
-};
-
-Inside insideBefore(const KeyRecord& record, std::size_t orientation) {
-  Inside sum;
-  for (std::size_t j = 0; j < orientation; ++j) {
-    const SectionRecord& s = record.sections[j];
-    sum.frames += s.holdFrames + (s.exists ? s.frames : 0);
-    sum.entries += (s.holdFrames > 0 ? 1 : 0) + (s.exists ? 1 : 0);
-  }
-  return sum;
-}
-
 // Where frame n falls: an orientation's hold, or the section that it begins.
 struct FramePlace {
   OrientationPlace place;
-  std::int64_t entry = 0;  // of the hold or section
-  std::int64_t step = 0;   // from its first frame
+  std::int32_t entries = 0;  // before the hold or section
+  std::int64_t step = 0;     // from its first frame
+  std::int64_t frames = 0;   // that it has
   bool inHold = false;
   const KeyRecord* record = nullptr;
+
+  double tau() const { return static_cast<double>(step) / static_cast<double>(frames); }
 };
 
 FramePlace findFrame(const EvaluationTree& tree, std::int64_t n) {
   const auto found = tree.findIndex(n);
   FramePlace at;
   at.place.key = found.index;
-  at.entry = found.before.entries;
-  std::int64_t left = n - found.before.frames;
+  at.entries = found.before.entries;
   const KeyRecord& record = **found.item;
   at.record = &record;
   fetch(found.item->piece(), sizeof(CurvePiece));
   fetch(&record, sizeof(KeyRecord));
+  FrameSum sum = found.before.frames;
+  std::int64_t start = sum.frames();
+  // Whether frame n falls into what adds `part`.
+  const auto enter = [&](const FrameSum& part) {
+    sum = sum + part;
+    const std::int64_t end = sum.frames();
+    at.step = n - start;
+    at.frames = end - start;
+    start = end;
+    return n < end;
+  };
   while (true) {
     const SectionRecord& s = record.sections[at.place.orientation];
-    if (left < s.holdFrames) {
-      at.step = left;
-      at.inHold = true;
-      return at;
+    if (s.holds()) {
+      at.inHold = enter(s.ofHold());
+      if (at.inHold) return at;
+      ++at.entries;
     }
-    left -= s.holdFrames;
-    at.entry += s.holdFrames > 0 ? 1 : 0;
     if (s.exists) {
-      if (left < s.frames) break;
-      left -= s.frames;
-      ++at.entry;
+      if (enter(s.ofSection())) return at;
+      ++at.entries;
     }
     ++at.place.orientation;
   }
-  at.step = left;
-  return at;
+}
+
+// The sum over all that stands before an orientation's hold.
+RecordSummary summaryBefore(const EvaluationTree& tree, const OrientationPlace& place) {
+  RecordSummary sum = tree.summaryBefore(place.key);
+  const KeyRecord& record = *tree[place.key];
+  for (std::size_t j = 0; j < place.orientation; ++j) sum = sum + RecordSummary::of(record, j);
+  return sum;
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ std::string_view name(SectionKind kind) {
 }
 
 std::int64_t Evaluation::State::frameCount() const {
-  const std::int64_t frames = tree.summary().frames;
+  const std::int64_t frames = tree.summary().index();
   return flight.closed ? std::max<std::int64_t>(frames, 1) : frames + 1;
 }
 
@@ -100,23 +100,25 @@ OrientationPlace Evaluation::State::lastPlace() const {
 }
 
 Section Evaluation::State::entryAt(const OrientationPlace& place, bool inHold) const {
-  const RecordSummary before = tree.summaryBefore(place.key);
+  const RecordSummary before = summaryBefore(tree, place);
   const KeyRecord& record = *tree[place.key];
-  const Inside inside = insideBefore(record, place.orientation);
   const SectionRecord& s = record.sections[place.orientation];
+  const FrameSum afterHold = before.frames + s.ofHold();
   Section section;
-  section.index = before.entries + inside.entries;
-  section.firstFrame = before.frames + inside.frames;
   section.from = section.to = place;
-  section.frames = s.holdFrames;
-  if (inHold) return section;
-  if (s.holdFrames > 0) ++section.index;
-  section.firstFrame += s.holdFrames;
+  if (inHold) {
+    section.index = indexAfter(before.entries);
+    section.firstFrame = before.frames.frames();
+    section.frames = afterHold.frames() - section.firstFrame;
+    return section;
+  }
+  section.index = indexAfter(before.entries + (s.holds() ? 1 : 0));
+  section.firstFrame = afterHold.frames();
+  section.frames = (afterHold + s.ofSection()).frames() - section.firstFrame;
   section.kind = s.kind;
   section.to = chain().after(place);
   section.length = record.lengthOf(s);
   section.angle = 2.0 * halfRotationAngle(s.q, s.qEnd) * kDegrees;
-  section.frames = s.frames;
   return section;
 }
 
@@ -135,9 +137,8 @@ Camera cameraAtStart(const KeyRecord& record, const SectionRecord& section) {
 }
 
 Camera cameraInSection(const KeyRecord& record, const SectionRecord& section,
-                       const OrientationPath& path, double step) {
-  if (step == 0.0) return cameraAtStart(record, section);
-  const double tau = step / static_cast<double>(section.frames);
+                       const OrientationPath& path, double tau) {
+  if (tau == 0.0) return cameraAtStart(record, section);
   const double progress = section.speed.progress(tau);
   Camera camera;
   if (section.kind == SectionKind::kMove) {
@@ -158,11 +159,11 @@ Camera cameraInSection(const KeyRecord& record, const SectionRecord& section,
 Evaluation::Evaluation() : Evaluation(newFlight()) {}
 
 Evaluation::Evaluation(const Flight& flight)
-    : state_(std::make_shared<const State>(State{flight, buildTree(flight)})) {}
+    : state_(std::make_shared<const State>(flight, buildTree(flight))) {}
 
 Evaluation Evaluation::updated(const Flight& flight) const {
-  return Evaluation(std::make_shared<const State>(
-      State{flight, updateTree(state_->tree, state_->flight, flight)}));
+  return Evaluation(
+      std::make_shared<const State>(flight, updateTree(state_->tree, state_->flight, flight)));
 }
 
 const Flight& Evaluation::flight() const { return state_->flight; }
@@ -175,7 +176,7 @@ Frame Evaluation::frame(std::int64_t n) const {
   frame.number = n;
   frame.time = static_cast<double>(n) / state_->flight.frameRate;
   const Chain chain = state_->chain();
-  if (n >= tree.summary().frames) {
+  if (n >= tree.summary().index()) {
     // The one last frame of an open flight, or the only one of a flight without sections.
     const OrientationPlace last = state_->flight.closed ? OrientationPlace{} : state_->lastPlace();
     frame.camera = cameraAt(last);
@@ -188,21 +189,20 @@ Frame Evaluation::frame(std::int64_t n) const {
   const FramePlace at = findFrame(tree, n);
   const KeyRecord& record = *at.record;
   const SectionRecord& s = record.sections[at.place.orientation];
-  frame.section = at.entry;
+  frame.section = state_->indexAfter(at.entries);
   if (at.inHold) {
     frame.camera = cameraAtStart(record, s);
     return frame;
   }
   OrientationPath made;
   frame.kind = s.kind;
-  frame.camera =
-      cameraInSection(record, s, pathOf(chain, at.place, s, made), static_cast<double>(at.step));
+  frame.camera = cameraInSection(record, s, pathOf(chain, at.place, s, made), at.tau());
   return frame;
 }
 
 Camera Evaluation::cameraBetween(double position) const {
   if (!(position > 0.0)) return frame(0).camera;
-  if (position >= static_cast<double>(state_->tree.summary().frames)) {
+  if (position >= static_cast<double>(state_->tree.summary().index())) {
     return frame(frameCount() - 1).camera;
   }
   const auto n = static_cast<std::int64_t>(position);
@@ -210,20 +210,25 @@ Camera Evaluation::cameraBetween(double position) const {
   const SectionRecord& s = at.record->sections[at.place.orientation];
   if (at.inHold) return cameraAtStart(*at.record, s);
   OrientationPath made;
+  const double step = static_cast<double>(at.step) + (position - static_cast<double>(n));
   return cameraInSection(*at.record, s, pathOf(state_->chain(), at.place, s, made),
-                         static_cast<double>(at.step) + (position - static_cast<double>(n)));
+                         step / static_cast<double>(at.frames));
 }
 
-std::int64_t Evaluation::sectionCount() const { return state_->tree.summary().entries; }
+std::int64_t Evaluation::sectionCount() const {
+  return state_->indexAfter(state_->tree.summary().entries);
+}
 
 Section Evaluation::section(std::int64_t index) const {
+  // Also counting the holds that vanish, so many entries stand before it.
+  const auto entries = state_->vanished.entriesBefore(index, state_->tree);
   const auto found =
-      state_->tree.find([&](const RecordSummary& sum) { return sum.entries > index; });
-  std::int64_t left = index - found.before.entries;
+      state_->tree.find([&](const RecordSummary& sum) { return sum.entries > entries; });
+  std::int64_t left = entries - found.before.entries;
   OrientationPlace place{found.index, 0};
   while (true) {
     const SectionRecord& s = (*found.item)->sections[place.orientation];
-    if (s.holdFrames > 0 && left-- == 0) return state_->entryAt(place, true);
+    if (s.holds() && left-- == 0) return state_->entryAt(place, true);
     if (s.exists && left-- == 0) break;
     ++place.orientation;
   }
@@ -231,7 +236,7 @@ Section Evaluation::section(std::int64_t index) const {
 }
 
 std::optional<Section> Evaluation::sectionAtFrame(std::int64_t n) const {
-  const std::int64_t frames = state_->tree.summary().frames;
+  const std::int64_t frames = state_->tree.summary().index();
   if (frames == 0) return std::nullopt;
   const FramePlace at = findFrame(state_->tree, std::clamp<std::int64_t>(n, 0, frames - 1));
   return state_->entryAt(at.place, at.inHold);
@@ -242,14 +247,18 @@ std::optional<Section> Evaluation::sectionFrom(const OrientationPlace& place) co
   return state_->entryAt(place, false);
 }
 
+std::optional<Section> Evaluation::holdBefore(const OrientationPlace& place) const {
+  if (!state_->chain().at(place).holds()) return std::nullopt;
+  const Section hold = state_->entryAt(place, true);
+  return hold.frames > 0 ? std::optional(hold) : std::nullopt;
+}
+
 double Evaluation::length() const {
   return std::ldexp(static_cast<double>(state_->tree.summary().length), -60);
 }
 
 std::int64_t Evaluation::frameOf(const OrientationPlace& place) const {
-  const std::int64_t before = state_->tree.summaryBefore(place.key).frames;
-  const std::int64_t inside = insideBefore(*state_->tree[place.key], place.orientation).frames;
-  return std::min(before + inside, frameCount() - 1);
+  return std::min(summaryBefore(state_->tree, place).index(), frameCount() - 1);
 }
 
 Camera Evaluation::cameraAt(const OrientationPlace& place) const {
@@ -309,6 +318,25 @@ std::optional<double> Evaluation::speedBefore(const OrientationPlace& place) con
 
 std::optional<double> Evaluation::speedAfter(const OrientationPlace& place) const {
   return state_->chain().speedAfter(place);
+}
+
+Evaluation::Beyond Evaluation::before(const OrientationPlace& place) const {
+  const Chain chain = state_->chain();
+  const Neighbours beside = chain.neighbours(place);
+  return {beside.previous, chain.restsBefore(place, beside)};
+}
+
+Evaluation::Beyond Evaluation::after(const OrientationPlace& place) const {
+  const Chain chain = state_->chain();
+  const Neighbours beside = chain.neighbours(place);
+  return {beside.next, chain.restsAfter(place, beside)};
+}
+
+std::int64_t Evaluation::idleTurns(const OrientationPlace& place) const {
+  const Chain chain = state_->chain();
+  const OrientationPlace end = next(place);
+  if (end == place || chain.at(place).kind != SectionKind::kHold) return 0;
+  return std::llround(std::abs(chain.at(end).roll - chain.at(place).roll) / 360.0);
 }
 
 }  // namespace vides

@@ -5,6 +5,8 @@
 // read by any number of threads. It keeps one record per key in a tree with prefix sums, so that
 // frame n is found in O(log n). updated() recomputes only the records that an edit reaches: the
 // curve pieces of four, the speeds of six and the orientation curves of eight neighbouring keys.
+// How many frames a part of a timed stretch has is found when it is asked for, from prefix sums too
+// (frame_sum.hpp), so that an edit early in a long one costs no more than any other.
 // What it yields equals an evaluation from scratch, bit for bit.
 //
 // Signs of the orientation quaternions depend on the chain before them only where two consecutive
@@ -58,6 +60,8 @@ class Evaluation {
   std::optional<Section> sectionAtFrame(std::int64_t n) const;
   // The section (or, where it has no frames, nothing) that the orientation begins.
   std::optional<Section> sectionFrom(const OrientationPlace& place) const;
+  // The hold before an orientation, where it has frames.
+  std::optional<Section> holdBefore(const OrientationPlace& place) const;
   // The length of the whole curve that is travelled, cube units.
   double length() const;
 
@@ -93,10 +97,20 @@ class Evaluation {
 
   // The speed curve as it is used: with its neighbours' ends, limited.
   const SpeedCurve& speedCurve(const OrientationPlace& place) const;
-  // The last speed value of the section before and the first of the section after, where there are
-  // such sections (shown beside the speed curve).
+  // The last speed value of the section before and the first of the section after, where the curve
+  // goes on over the joint: between sections of one kind, without a rest.
   std::optional<double> speedBefore(const OrientationPlace& place) const;
   std::optional<double> speedAfter(const OrientationPlace& place) const;
+  // What lies beyond the start or the end of the section that the orientation begins.
+  struct Beyond {
+    std::optional<OrientationPlace> section;  // the nearest with frames; none at a flight's end
+    bool rests = false;                       // a hold lies between, or at the flight's end
+  };
+  Beyond before(const OrientationPlace& place) const;
+  Beyond after(const OrientationPlace& place) const;
+  // By how many whole turns the roll differs between the orientation and the next one where
+  // nothing else does: such a section has nothing to do. 0 for all others.
+  std::int64_t idleTurns(const OrientationPlace& place) const;
 
  private:
   friend class FrameWalk;

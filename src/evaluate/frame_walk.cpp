@@ -37,7 +37,7 @@ bool FrameWalk::next(Frame& frame) {
   Place& at = *place_;
   if (position_ >= at.section.firstFrame + at.section.frames) {
     const Evaluation evaluation(state_);
-    const auto section = position_ < state_->tree.summary().frames
+    const auto section = position_ < state_->tree.summary().index()
                              ? evaluation.sectionAtFrame(position_)
                              : std::nullopt;
     if (!section) {
@@ -54,10 +54,10 @@ bool FrameWalk::next(Frame& frame) {
   frame.time = static_cast<double>(position_) / state_->flight.frameRate;
   frame.section = at.section.index;
   frame.kind = at.section.kind;
-  frame.camera = at.inHold
-                     ? cameraAtStart(*at.record, *at.begins)
-                     : cameraInSection(*at.record, *at.begins, *at.path,
-                                       static_cast<double>(position_ - at.section.firstFrame));
+  const auto step = static_cast<double>(position_ - at.section.firstFrame);
+  frame.camera = at.inHold ? cameraAtStart(*at.record, *at.begins)
+                           : cameraInSection(*at.record, *at.begins, *at.path,
+                                             step / static_cast<double>(at.section.frames));
   ++position_;
   return true;
 }

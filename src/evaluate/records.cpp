@@ -68,7 +68,10 @@ void setDifferences(const Flight& flight, const KeyRecord& record, bool keysDiff
     s.kind = SectionKind::kZoom;
     s.workByRate = kBaseSpeed * flight.rates.zoom * std::abs(b.zoom - a.zoom) / 99.0;
   }
-  if (a.duration) s.durationFrames = std::max(*a.duration * flight.frameRate, kLeastFrames);
+  if (a.duration) {
+    s.durationFrames = std::max(*a.duration * flight.frameRate, kLeastFrames);
+    s.timedLength = FrameSum::partsOf(std::max(1.0, s.durationFrames));
+  }
   s.exists = s.kind != SectionKind::kHold || a.duration.has_value();
 }
 
@@ -105,7 +108,8 @@ void fillRecord(KeyRecord& record, const Flight& flight, const Key* before, cons
     s.zoom = s.zoomEnd = a.zoom;
     s.roll = a.roll;
     s.aim = aimPoint(key, a);
-    s.holdFrames = roundedFrames(a.hold * flight.frameRate);
+    const double hold = a.hold * flight.frameRate;
+    if (roundedFrames(hold) >= 1) s.holdLength = FrameSum::partsOf(hold);
     s.speed = SpeedCurve(a.speed);
     s.qEnd = s.q;
     s.positionEnd = key.position;
@@ -120,27 +124,35 @@ void fillRecord(KeyRecord& record, const Flight& flight, const Key* before, cons
 void setSpeed(SectionRecord& s, std::optional<double> before, std::optional<double> after) {
   s.speed = SpeedCurve(s.speed.values(), before, after);
   const double mean = s.speed.mean();
-  const double exact = s.durationFrames >= 0.0 ? s.durationFrames : s.workByRate / mean;
-  s.work = s.durationFrames >= 0.0 ? exact * mean : s.workByRate;
-  s.frames = std::max<std::int64_t>(1, roundedFrames(exact));
+  if (s.timedLength > 0) {
+    s.work = s.durationFrames * mean;
+  } else {
+    s.work = s.workByRate;
+    s.framesByRate = std::max<std::int64_t>(1, roundedFrames(s.workByRate / mean));
+  }
+}
+
+RecordSummary RecordSummary::of(const KeyRecord& record, std::size_t orientation) {
+  const SectionRecord& s = record.sections[orientation];
+  RecordSummary sum;
+  sum.signs = SignMap::of(s.link);
+  if (s.holds()) {
+    sum.frames = s.ofHold();
+    sum.entries = 1;
+    sum.vanishingHolds = s.holdMayVanish() ? 1 : 0;
+  }
+  if (s.exists) {
+    sum.frames = sum.frames + s.ofSection();
+    ++sum.entries;
+    sum.sections = 1;
+    sum.length = static_cast<FixedPoint>(std::ldexp(record.lengthOf(s), 60));
+  }
+  return sum;
 }
 
 RecordSummary RecordSummary::of(const RecordPointer& record) {
-  RecordSummary sum;
-  for (std::size_t j = 0; j < record->sections.size(); ++j) {
-    const SectionRecord& s = record->sections[j];
-    ++sum.orientations;
-    sum.holdFrames += s.holdFrames;
-    sum.frames += s.holdFrames;
-    if (s.holdFrames > 0) ++sum.entries;
-    if (s.exists) {
-      sum.frames += s.frames;
-      ++sum.entries;
-      ++sum.sections;
-      sum.length += static_cast<FixedPoint>(std::ldexp(record->lengthOf(s), 60));
-    }
-    sum.signs = sum.signs.then(SignMap::of(s.link));
-  }
+  RecordSummary sum = of(*record, 0);
+  for (std::size_t j = 1; j < record->sections.size(); ++j) sum = sum + of(*record, j);
   return sum;
 }
 

@@ -3,7 +3,7 @@
 //
 // A record is made in three stages, each a pure function of what stands before:
 //   1 the curve piece and what differs (the flight's keys k-1 ... k+2);
-//   2 the speed curve and the number of frames (stage 1 of the nearest sections with frames);
+//   2 the speed curve, the number of frames by rate (stage 1 of the nearest sections with frames);
 //   3 the orientation curve (stages 1 and 2 of the nearest sections with frames).
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "evaluate/frame_sum.hpp"
 #include "evaluate/orientation_path.hpp"
 #include "evaluate/section.hpp"
 #include "flight/flight.hpp"
@@ -58,8 +59,8 @@ struct SectionRecord {
   // Stage 1: the orientation itself.
   Quaternion q{1.0, 0.0, 0.0, 0.0};  // without the chain's sign
   double zoom = 12.0;
-  double roll = 0.0;  // degrees
-  std::int64_t holdFrames = 0;
+  double roll = 0.0;          // degrees
+  FrameParts holdLength = 0;  // 0: none
   // Stage 1: up to the next orientation.
   Quaternion qEnd{1.0, 0.0, 0.0, 0.0};
   double zoomEnd = 12.0;
@@ -68,6 +69,7 @@ struct SectionRecord {
   double rollChange = 0.0;       // degrees, in [-180, 180]
   double workByRate = 0.0;       // 50 rate M
   double durationFrames = -1.0;  // duration * frame rate, negative where there is none
+  FrameParts timedLength = 0;    // the same as a part of a timed stretch; 0 where there is none
   SectionKind kind = SectionKind::kHold;
   SignLink link = SignLink::kKeep;
   bool exists = false;    // has frames
@@ -75,11 +77,21 @@ struct SectionRecord {
   // Stage 2.
   SpeedCurve speed;
   double work = 0.0;
-  std::int64_t frames = 0;
+  std::int64_t framesByRate = 0;  // 0 where it is timed
   // Stage 3.
   OrientationPath path;
   LinkSigns signs;
   bool signsDependOnChain = false;
+
+  // Holds of less than half a frame count as none. Those of less than a whole one may be left
+  // without a frame by the stretch that they lie in; sections never are.
+  bool holds() const { return holdLength > 0; }
+  bool holdMayVanish() const { return holds() && holdLength < FrameSum::kFrame; }
+  FrameSum ofHold() const { return FrameSum::timed(holdLength); }
+  // Of the section itself; nothing where it has no frames.
+  FrameSum ofSection() const {
+    return framesByRate > 0 ? FrameSum::byRate(framesByRate) : FrameSum::timed(timedLength);
+  }
 };
 
 // The sections of one key. Most keys have one orientation: that lies in the record itself, so that
@@ -129,21 +141,25 @@ __extension__ typedef __int128 FixedPoint;
 // Sums over records. Lengths are summed in fixed point (units of 2^-60), so that the sum does not
 // depend on the shape of the tree.
 struct RecordSummary {
-  std::int64_t frames = 0;
-  std::int64_t entries = 0;   // sections and holds with frames
-  std::int64_t sections = 0;  // sections with frames, without the holds before them
-  std::int64_t holdFrames = 0;
-  std::int64_t orientations = 0;
-  FixedPoint length = 0;
+  FrameSum frames;
+  std::int32_t entries = 0;         // sections with frames, and holds, those that vanish included
+  std::int32_t sections = 0;        // sections with frames, without the holds before them
+  std::int32_t vanishingHolds = 0;  // holds that may be left without a frame
   SignMap signs;
+  FixedPoint length = 0;
 
   static RecordSummary of(const RecordPointer& record);
+  // Of one orientation with its hold and section.
+  static RecordSummary of(const KeyRecord& record, std::size_t orientation);
   RecordSummary operator+(const RecordSummary& o) const {
-    return {frames + o.frames,         entries + o.entries,           sections + o.sections,
-            holdFrames + o.holdFrames, orientations + o.orientations, length + o.length,
-            signs.then(o.signs)};
+    return {frames + o.frames,     entries + o.entries,
+            sections + o.sections, vanishingHolds + o.vanishingHolds,
+            signs.then(o.signs),   length + o.length};
   }
-  std::int64_t index() const { return frames; }
+  std::int32_t holds() const { return entries - sections; }
+  std::int64_t index() const { return frames.frames(); }
+  bool addsUp() const { return frames.addsUp(); }
+  static constexpr std::int64_t kIndexSlack = FrameSum::kSlack;
 };
 
 class EvaluationTree : public SharedSequence<RecordPointer, RecordSummary> {

@@ -99,6 +99,8 @@ struct KeySummary {
   static KeySummary of(const KeyPointer& key) { return {key->orientations.size()}; }
   KeySummary operator+(const KeySummary& o) const { return {orientations + o.orientations}; }
   std::int64_t index() const { return static_cast<std::int64_t>(orientations); }
+  static constexpr bool addsUp() { return true; }
+  static constexpr std::int64_t kIndexSlack = 0;
 };
 
 // The keys of a flight in order. Copies are O(1), edits O(log n).

@@ -7,9 +7,11 @@
 // Any number of threads may read copies at the same time.
 //
 // Summary is an associative sum: a default constructor (the neutral element), operator+, static
-// Summary of(const T&), and std::int64_t index() const, a part of the sum that is never negative
-// and by which items are found. The tree's shape depends on the history of edits, so operator+ must
-// be associative bit for bit (integers, not doubles).
+// Summary of(const T&), and std::int64_t index() const, a part of the sum that never decreases and
+// by which items are found. The tree's shape depends on the history of edits, so operator+ must be
+// associative bit for bit (integers, not doubles).
+// (a + b).index() is a.index() + b.index(), or, where a.addsUp() is false, at most kIndexSlack away
+// from it.
 #pragma once
 
 #include <algorithm>
@@ -95,14 +97,21 @@ class SharedSequence {
     if (!root_ || !(root_->total.index() > value)) return {size(), summary(), nullptr};
     return descend([value](const Node& node, const Summary& base) {
       const std::int64_t rest = value - base.index();
-      const auto search = [&](const auto& list, auto index) {
+      const std::int64_t slack = base.addsUp() ? 0 : Summary::kIndexSlack;
+      const auto search = [&](const auto& list, const auto& before, auto index) {
         const auto last = list.begin() + static_cast<std::ptrdiff_t>(node.width);
-        const auto at = std::partition_point(
-            list.begin() + 1, last, [&](const auto& entry) { return index(entry) <= rest; });
+        const auto at = std::partition_point(list.begin() + 1, last, [&](const auto& entry) {
+          const std::int64_t i = index(entry);
+          if (i <= rest - slack || i > rest + slack) return i <= rest;
+          const auto k = static_cast<std::size_t>(&entry - list.data());
+          return (base + before[k]).index() <= value;
+        });
         return static_cast<std::size_t>(at - list.begin()) - 1;
       };
-      return node.leaf ? search(leafOf(node).slots, [](const Slot& slot) { return slot.index; })
-                       : search(innerOf(node).index, [](std::int64_t i) { return i; });
+      return node.leaf ? search(leafOf(node).slots, leafOf(node).before,
+                                [](const Slot& slot) { return slot.index; })
+                       : search(innerOf(node).index, innerOf(node).before,
+                                [](std::int64_t i) { return i; });
     });
   }
 
@@ -160,6 +169,14 @@ class SharedSequence {
   template <class Visit>
   void forEach(Visit visit) const {
     forEach(0, size(), visit);
+  }
+
+  // Calls visit(i, sum over [0, i), item i) for the items whose own sum is `wanted`, in order.
+  // `wanted` must be true of a sum as soon as it is of one of its terms; runs of which it isn't are
+  // passed over at once.
+  template <class Wanted, class Visit>
+  void forEachWhere(Wanted wanted, Visit visit) const {
+    if (root_) visitWhere(*root_, 0, Summary{}, wanted, visit);
   }
 
   // What differs between two sequences, by the items' operator==, in time proportional to what is
@@ -407,6 +424,21 @@ class SharedSequence {
       const std::size_t start = inner.starts[c];
       if (start >= last) break;
       visitRange(*inner.children[c], first > start ? first - start : 0, last - start, visit);
+    }
+  }
+
+  template <class Wanted, class Visit>
+  static void visitWhere(const Node& node, std::size_t first, const Summary& before,
+                         const Wanted& wanted, Visit& visit) {
+    if (!wanted(node.total)) return;
+    for (std::size_t c = 0; c < node.width; ++c) {
+      if (!node.leaf) {
+        const Inner& inner = innerOf(node);
+        visitWhere(*inner.children[c], first + inner.starts[c], before + inner.before[c], wanted,
+                   visit);
+      } else if (const T& item = leafOf(node).slots[c].item; wanted(Summary::of(item))) {
+        visit(first + c, before + leafOf(node).before[c], item);
+      }
     }
   }
 

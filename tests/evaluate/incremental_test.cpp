@@ -111,6 +111,35 @@ void followEdits(bool nasty) {
 TEST(Incremental, EqualsScratchAfterAnyEdit) { followEdits(false); }
 TEST(Incremental, EqualsScratchAfterAnyEditOfNastyFlights) { followEdits(true); }
 
+// An edit early in a timed stretch moves the frames of all that follows in it.
+TEST(Incremental, EqualsScratchInTimedStretches) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Random random(seed);
+    Flight flight = test::randomFlight(random, {.nasty = seed % 2 == 0, .timed = true});
+    if (seed % 10 == 0) {
+      while (flight.keys.size() < 200) {
+        Key key = test::randomKey(random, false);
+        test::timeRandomly(random, flight.frameRate, key);
+        flight.keys.push_back(std::move(key));
+      }
+    }
+    Evaluation evaluation(flight);
+    for (int edit = 0; edit < 20; ++edit) {
+      if (test::chance(random, 0.5)) {
+        const auto k = static_cast<std::size_t>(
+            test::integer(random, 0, static_cast<int>(flight.keys.size()) - 1));
+        Key key = flight.keys[k];
+        test::timeRandomly(random, flight.frameRate, key);
+        flight.keys.set(k, std::move(key));
+      } else {
+        test::editRandomly(random, flight, false);
+      }
+      evaluation = evaluation.updated(flight);
+      ASSERT_TRUE(same(evaluation, Evaluation(flight))) << "seed " << seed << " edit " << edit;
+    }
+  }
+}
+
 // Long flights take the path that shares most of the tree.
 TEST(Incremental, EqualsScratchInLongFlights) {
   for (const bool nasty : {false, true}) {
@@ -234,7 +263,8 @@ TEST(Incremental, UnreachedPiecesAreShared) {
 TEST(Frames, ByNumberEqualTheWalk) {
   for (std::uint64_t seed = 1; seed <= 250; ++seed) {
     Random random(seed);
-    const Evaluation evaluation(test::randomFlight(random, {.nasty = seed % 2 == 0}));
+    const Evaluation evaluation(
+        test::randomFlight(random, {.nasty = seed % 2 == 0, .timed = seed % 4 > 1}));
     FrameWalk walk(evaluation);
     Frame frame;
     std::int64_t n = 0;

@@ -153,6 +153,44 @@ TEST(Sections, SpeedKnowsTheNearestSectionsWithFrames) {
   EXPECT_FALSE(e.speedAfter({1, 2}).has_value());
 }
 
+// At a stop, or where another kind of section begins, the curve continues on its own: "constant"
+// is constant up to the end.
+TEST(Sections, SpeedGoesOnBetweenSectionsOfOneKindWithoutARest) {
+  Flight flight;
+  flight.keys = KeyList{keyAt(-0.9, {kForward}), keyAt(0.0, {kForward, kLeft}), keyAt(0.5, {kLeft}),
+                        keyAt(0.9, {kLeft})};
+  flight = withOrientation(flight, {0, 0}, [](Orientation& o) { o.speed.fill(20.0); });
+  flight = withOrientation(flight, {1, 1}, [](Orientation& o) { o.speed.fill(80.0); });
+  const Evaluation kinds(flight);  // a move, a pan, two moves
+  ASSERT_EQ(kinds.sectionCount(), 4);
+  for (const OrientationPlace place : {OrientationPlace{0, 0}, {1, 0}}) {
+    EXPECT_FALSE(kinds.speedBefore(place).has_value());
+    EXPECT_FALSE(kinds.speedAfter(place).has_value());
+    EXPECT_EQ(kinds.speedCurve(place).slopes(), SpeedValues{});
+  }
+  EXPECT_EQ(kinds.speedAfter({1, 1}), 50.0);
+  EXPECT_EQ(kinds.speedBefore({2, 0}), 80.0);
+
+  const auto hold = [&](double seconds) {
+    return Evaluation(withOrientation(flight, {2, 0}, [&](Orientation& o) { o.hold = seconds; }));
+  };
+  EXPECT_EQ(hold(0.0199).speedAfter({1, 1}), 50.0);  // less than half a frame is no rest
+  EXPECT_FALSE(hold(0.02).speedAfter({1, 1}).has_value());
+  EXPECT_FALSE(hold(0.02).speedBefore({2, 0}).has_value());
+}
+
+TEST(Sections, SpeedGoesOnOverTheSeamUnlessItRests) {
+  Flight flight = twoKeys();
+  flight.closed = true;
+  flight = withOrientation(flight, {0, 0}, [](Orientation& o) { o.speed.fill(20.0); });
+  EXPECT_EQ(Evaluation(flight).speedBefore({0, 0}), 50.0);
+  EXPECT_EQ(Evaluation(flight).speedAfter({1, 0}), 20.0);
+  flight = withOrientation(flight, {0, 0}, [](Orientation& o) { o.hold = 1.0; });
+  EXPECT_FALSE(Evaluation(flight).speedBefore({0, 0}).has_value());
+  EXPECT_FALSE(Evaluation(flight).speedAfter({1, 0}).has_value());
+  EXPECT_EQ(Evaluation(flight).speedAfter({0, 0}), 50.0);
+}
+
 TEST(Sections, EveryFrameBelongsToItsSection) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     test::Random random(seed);

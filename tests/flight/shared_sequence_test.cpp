@@ -25,6 +25,8 @@ struct Trace {
     return {count + o.count, hash * o.power + o.hash, power * o.power, sum + o.sum};
   }
   std::int64_t index() const { return sum; }
+  static constexpr bool addsUp() { return true; }
+  static constexpr std::int64_t kIndexSlack = 0;
   bool operator==(const Trace&) const = default;
   static constexpr std::uint64_t kBase = 1'000'003;
 };

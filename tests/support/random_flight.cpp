@@ -167,6 +167,17 @@ Key randomKey(Random& random, bool nasty) {
   return key;
 }
 
+void timeRandomly(Random& random, double frameRate, Key& key) {
+  for (Orientation& o : key.orientations) {
+    // Frames of a hold; those below a half are none, those below one may be left without a frame.
+    const double holds[] = {0.0, 0.49, 0.5 - 5e-10, 0.5, 0.75, 0.999, 1.0, 1.5, 3.3};
+    o.hold = chance(random, 0.7) ? holds[integer(random, 0, 8)] / frameRate : 0.0;
+    const double durations[] = {0.01, 0.5, 1.0, 1.25, 2.5, 6.54};
+    o.duration = chance(random, 0.9) ? std::optional(durations[integer(random, 0, 5)] / frameRate)
+                                     : std::nullopt;
+  }
+}
+
 Flight randomFlight(Random& random, const FlightKind& kind) {
   Flight flight;
   flight.closed = chance(random, 0.4);
@@ -186,6 +197,7 @@ Flight randomFlight(Random& random, const FlightKind& kind) {
       if (chance(random, 0.5)) key.orientations = keys.back()->orientations;
     }
     for (Orientation& o : key.orientations) ensureAim(key, o);
+    if (kind.timed) timeRandomly(random, flight.frameRate, key);
     keys.emplace_back(std::move(key));
   }
   flight.keys = KeyList(std::move(keys));
