@@ -40,6 +40,21 @@ Flight longFlight(std::int64_t keys) {
   return flight;
 }
 
+// The same, everything in seconds: one timed stretch from end to end, with holds that it may leave
+// without a frame.
+Flight timedFlight(std::int64_t keys) {
+  Flight flight = longFlight(keys);
+  std::vector<KeyPointer> list;
+  flight.keys.forEach([&](Key key) {
+    Orientation& orientation = key.orientations.front();
+    orientation.duration = 3.0 / 11.0;
+    if (list.size() % 8 == 3) orientation.hold = 0.03;
+    list.emplace_back(std::move(key));
+  });
+  flight.keys = KeyList(std::move(list));
+  return flight;
+}
+
 Flight pyramid() { return *readVidFile(VIDES_SOURCE_DIR "/assets/flights/pyramid.vid"); }
 
 void walkAll(const Evaluation& evaluation) {
@@ -118,8 +133,8 @@ BENCHMARK_CAPTURE(writeFrames, textThousandKeys, FrameFormat::kVides, longFlight
 BENCHMARK_CAPTURE(writeFrames, csvThousandKeys, FrameFormat::kCsv, longFlight(1000))
     ->UseManualTime();
 
-void frameByNumber(benchmark::State& state) {
-  const Evaluation evaluation(longFlight(state.range(0)));
+void frameByNumber(benchmark::State& state, Flight (*flight)(std::int64_t)) {
+  const Evaluation evaluation(flight(state.range(0)));
   std::mt19937_64 random{12};
   std::uniform_int_distribution<std::int64_t> any{0, evaluation.frameCount() - 1};
   std::vector<std::int64_t> numbers(std::size_t{1} << 16);
@@ -131,11 +146,12 @@ void frameByNumber(benchmark::State& state) {
   }
   bench::setLimit(state, 1000.0);
 }
-BENCHMARK(frameByNumber)->Arg(100'000);
+BENCHMARK_CAPTURE(frameByNumber, byRate, longFlight)->Arg(100'000);
+BENCHMARK_CAPTURE(frameByNumber, timed, timedFlight)->Arg(100'000);
 
 // What a drag does for each display frame: one key moved, and all that follows from it.
-void moveOneKey(benchmark::State& state) {
-  Flight flight = longFlight(state.range(0));
+void moveOneKey(benchmark::State& state, Flight (*make)(std::int64_t)) {
+  Flight flight = make(state.range(0));
   Evaluation evaluation(flight);
   std::mt19937_64 random{13};
   // A key that has all its neighbours: near an end there is less to do, which is the case for most
@@ -156,9 +172,10 @@ void moveOneKey(benchmark::State& state) {
     benchmark::DoNotOptimize(evaluation.frameCount());
   }
   if (state.range(0) == 1000) bench::setLimit(state, 50'000.0);
-  if (state.range(0) == 100'000) bench::setPeer(state, "moveOneKey/10");
+  if (state.range(0) == 100'000) bench::setPeer(state, "moveOneKey/byRate/10");
 }
-BENCHMARK(moveOneKey)->Arg(10)->Arg(1000)->Arg(100'000);
+BENCHMARK_CAPTURE(moveOneKey, byRate, longFlight)->Arg(10)->Arg(1000)->Arg(100'000);
+BENCHMARK_CAPTURE(moveOneKey, timed, timedFlight)->Arg(10)->Arg(1000)->Arg(100'000);
 
 // Bytes in use, small blocks and mapped ones.
 double bytesInUse() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "edit/ease.hpp"
+#include "evaluate/joint.hpp"
 #include "flight/limits.hpp"
 
 namespace vides {
@@ -123,9 +124,21 @@ EditResult easeEdit(const EditState& state, const Arguments& arguments) {
 EditResult matchSpeedEdit(const EditState& state, const Arguments& arguments) {
   if (!ownsSection(state)) return noSection();
   const bool before = arguments.text(0) == "before";
-  const std::optional<double> speed = before ? state.evaluation.speedBefore(state.current())
-                                             : state.evaluation.speedAfter(state.current());
-  if (!speed) return tl::unexpected(Text("refusal.no-neighbour"));
+  const SectionEnd end = before ? SectionEnd::kStart : SectionEnd::kEnd;
+  const Joint joint = jointAt(state.evaluation, state.current(), end);
+  switch (joint.meeting) {
+    case Joint::Meeting::kNothing:
+      return tl::unexpected(
+          Text(joint.value ? "refusal.match-nothing-moves" : "refusal.no-neighbour"));
+    case Joint::Meeting::kRests:
+      return tl::unexpected(Text("refusal.match-rest"));
+    case Joint::Meeting::kOtherKind:
+      return tl::unexpected(Text("refusal.match-kind"));
+    case Joint::Meeting::kGoesOn:
+      break;
+  }
+  const auto speed = matchingSpeed(state.evaluation, state.current(), end);
+  if (!speed) return tl::unexpected(Text("refusal.match-reach", {joint.asFast}));
   return changed(state, "step.set-speed",
                  [&](Orientation& o) { (before ? o.speed.front() : o.speed.back()) = *speed; });
 }

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t kIntervals = kSpeedValues - 1;
 
-bool differ(double a, double b) { return std::abs(a - b) >= 0.05; }
-
 // How much changes from the section's start to its end.
 void measure(SpeedGraph& graph, const Flight& flight, const Section& section) {
   const auto zoomOf = [&](const OrientationPlace& place) {
@@ -41,17 +39,16 @@ void measure(SpeedGraph& graph, const Flight& flight, const Section& section) {
 
 }  // namespace
 
-bool SpeedGraph::jumpsBefore() const { return before && differ(*before, points.front().speed); }
-bool SpeedGraph::jumpsAfter() const { return after && differ(*after, points.back().speed); }
-
 std::optional<SpeedGraph> speedGraph(const Evaluation& evaluation, const OrientationPlace& place,
                                      int chords) {
   if (evaluation.next(place) == place) return std::nullopt;
   SpeedGraph graph;
   const SpeedCurve& used = evaluation.speedCurve(place);
-  graph.before = evaluation.speedBefore(place);
-  graph.after = evaluation.speedAfter(place);
-  const SpeedCurve drawn = SpeedCurve::unlimited(used.values(), graph.before, graph.after);
+  graph.start = jointAt(evaluation, place, SectionEnd::kStart);
+  graph.end = jointAt(evaluation, place, SectionEnd::kEnd);
+  graph.idleTurns = evaluation.idleTurns(place);
+  const SpeedCurve drawn = SpeedCurve::unlimited(used.values(), evaluation.speedBefore(place),
+                                                 evaluation.speedAfter(place));
   for (std::size_t i = 0; i < kIntervals; ++i) {
     graph.limited[i] =
         used.slopes()[i] != drawn.slopes()[i] || used.slopes()[i + 1] != drawn.slopes()[i + 1];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "evaluate/evaluation.hpp"
+#include "evaluate/joint.hpp"
 #include "math/speed_curve.hpp"
 
 namespace vides {
@@ -25,21 +26,17 @@ struct SpeedGraph {
   };
   std::vector<Point> points;      // tau from 0 to 1, ten handles among them
   std::array<bool, 9> limited{};  // the intervals between handles that the limiter changes
-  std::optional<double> before;   // the last value of the section before …
-  std::optional<double> after;    // … and the first of the section after
+  Joint start, end;               // what the speed does there
   SectionKind kind = SectionKind::kHold;
   SectionUnit unit = SectionUnit::kNone;
   double amount = 0.0;  // in that unit: length, angle, zoom steps
   std::int64_t frames = 0;
   double seconds = 0.0;
-  double perSpeed = 0.0;  // units per second that a speed value of 1 means here
-  double mean = 0.0;      // units per second
-  double fastest = 0.0;   // units per second
-  double most = 0.0;      // largest |acceleration|
-
-  // Whether the section's first (last) value differs from its neighbour's as shown, in tenths.
-  bool jumpsBefore() const;
-  bool jumpsAfter() const;
+  double perSpeed = 0.0;       // units per second that a speed value of 1 means here
+  double mean = 0.0;           // units per second
+  double fastest = 0.0;        // units per second
+  double most = 0.0;           // largest |acceleration|
+  std::int64_t idleTurns = 0;  // whole turns of roll that are all that differs: nothing is done
 };
 
 // Of the section that the orientation begins; nothing at an open flight's last one. `chords` of

@@ -9,6 +9,7 @@
 #include "edit/frame_job.hpp"
 #include "panels/form.hpp"
 #include "panels/left_panels.hpp"
+#include "panels/quantities.hpp"
 
 namespace vides {
 namespace {
@@ -74,14 +75,16 @@ void place(Form& form, const Session& session, Actions& actions) {
                 "show-window chooser-frames", session, actions);
 }
 
-// "777 frames · 31.08 s · 25 fps".
+// "Frames 0–776 · 777 frames · 31.08 s · 25 fps".
 std::string amount(const Ui& ui, const Session& session) {
   const std::int64_t frames =
       frameCountOf(session.frameOutput().options, session.evaluation().frameCount());
+  const std::int64_t first = session.frameOutput().options.first;
   const double rate = session.flight().frameRate;
-  return ui.tell(Text("frames.amount", {frames})) + " \u00b7 " +
-         ui.number(static_cast<double>(frames) / rate, 2) + " s \u00b7 " +
-         ui.number(rate, neededDecimals(rate)) + " " + ui.words("frames_per_second");
+  const std::string numbers =
+      frames > 0 ? frameNumbers(ui, first, first + frames - 1) + " \u00b7 " : std::string();
+  return numbers + ui.tell(Text("frames.amount", {frames})) + " \u00b7 " +
+         secondsText(ui, frames, rate) + " \u00b7 " + frameRateText(ui, rate);
 }
 
 void progress(Ui& ui, const Rect& box, const FrameJob& job) {

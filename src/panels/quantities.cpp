@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/film_length.hpp"
+#include "panels/form.hpp"
+
 namespace vides {
 namespace {
 
@@ -60,11 +63,31 @@ std::string withUnit(const std::string& number, const std::string& unit) {
   return close ? number + unit : number + " " + unit;
 }
 
+std::string secondsText(const Ui& ui, std::int64_t frames, double frameRate) {
+  return grouped(ui, toldSeconds(frames, frameRate), kTimeDecimals) + " s";
+}
+
+std::string framesText(const Ui& ui, std::int64_t frames) {
+  // Only a number is told in the singular.
+  return ui.tell(frames == 1 ? Text("frames.short", {frames})
+                             : Text("frames.short", {grouped(ui, frames)}));
+}
+
+std::string lengthText(const Ui& ui, std::int64_t frames, double frameRate) {
+  return secondsText(ui, frames, frameRate) + " \u00b7 " + framesText(ui, frames);
+}
+
+std::string frameNumbers(const Ui& ui, std::int64_t first, std::int64_t last) {
+  return grouped(ui, first) + "\u2013" + grouped(ui, last);
+}
+
+std::string frameRateText(const Ui& ui, double frameRate) {
+  return ui.number(frameRate, neededDecimals(frameRate)) + " " + ui.words("frames_per_second");
+}
+
 std::string timeText(const Ui& ui, double seconds, double span, int decimals) {
   const auto parts = static_cast<std::int64_t>(std::pow(10.0, decimals));
-  // 29 frames of 100 a second are 0.29 s, not 0.28.
-  const auto all =
-      static_cast<std::int64_t>(std::floor(seconds * static_cast<double>(parts) + 1e-6));
+  const std::int64_t all = timeTicks(seconds, decimals);
   const auto inSeconds = [&](std::int64_t ticks) {
     return ui.number(static_cast<double>(ticks) / static_cast<double>(parts), decimals);
   };

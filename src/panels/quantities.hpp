@@ -29,8 +29,17 @@ std::string measured(const Ui& ui, double value);
 // "0.404 units/s", "63.7 °/s", "45°", "0.404 /s"
 std::string withUnit(const std::string& number, const std::string& unit);
 
-// A time of a flight that is `span` seconds long: "31.12 s", from a minute on "1:04.52", from an
-// hour on "2:21:17.80", rounded down; the form is that of the span, and none is longer than it.
+// How long a film, a section or a hold is (edit/film_length.hpp): "31.08 s", "777 fr.", both, and a
+// film's frames by number, "0–776".
+std::string secondsText(const Ui& ui, std::int64_t frames, double frameRate);
+std::string framesText(const Ui& ui, std::int64_t frames);
+std::string lengthText(const Ui& ui, std::int64_t frames, double frameRate);
+std::string frameNumbers(const Ui& ui, std::int64_t first, std::int64_t last);
+// "25 fps", "23.976 fps".
+std::string frameRateText(const Ui& ui, double frameRate);
+
+// A moment of a flight that is `span` seconds long: "31.12 s", from a minute on "1:04.52", from an
+// hour on "2:21:17.80"; the form is that of the span.
 std::string timeText(const Ui& ui, double seconds, double span, int decimals);
 // As a clock shows it, "00:09.52": with minutes and zeros in front, so that all times of a flight
 // are as long; with a decimal at least.

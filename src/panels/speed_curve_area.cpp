@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "panels/quantities.hpp"
+#include "panels/speed_joint.hpp"
 #include "panels/speed_window.hpp"
 
 namespace vides {
@@ -169,21 +170,22 @@ void square(Ui& ui, ImVec2 at, float half, ColourRole ink, ColourRole ground) {
   list.AddRect(low, high, ui.colour(ink), 0.0f, 0, std::max(1.0f, 1.4f * ui.scale()));
 }
 
-// The neighbour's end, and the jump to it.
-void neighbour(Ui& ui, const Rect& rect, const Plane& plane, std::optional<double> speed,
-               double own, bool jumps, bool before) {
-  if (!speed) return;
+// The neighbour's end at the height of its speed, and the jump to it; or the stop.
+void neighbour(Ui& ui, const Rect& rect, const Plane& plane, const Joint& joint, double own,
+               bool before) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float joint = before ? plane.left : plane.right;
-  const ImVec2 at(speedColumn(rect, before ? 0 : 11), plane.at(0.0, *speed).y);
-  const ImU32 quiet = ui.colour(ColourRole::kTextSecondary);
-  dashed(list, at, {joint, at.y}, quiet, ui.scale(), ui.px(3));
-  if (jumps) {
-    list.AddLine({joint, at.y}, {joint, plane.at(0.0, own).y}, ui.colour(ColourRole::kError),
-                 2.0f * ui.scale());
+  const float x = before ? plane.left : plane.right;
+  const double asFast = std::clamp(joint.asFast, kMinSpeed, kMaxSpeed);
+  const ImVec2 at(speedColumn(rect, before ? 0 : 11), plane.at(0.0, asFast).y);
+  const bool goesOn = joint.meeting == Joint::Meeting::kGoesOn;
+  if (goesOn) {
+    dashed(list, at, {x, at.y}, ui.colour(ColourRole::kTextSecondary), ui.scale(), ui.px(3));
   }
-  square(ui, at, std::round(3.0f * ui.scale()), ColourRole::kTextSecondary,
-         ColourRole::kHandleFill);
+  drawJoint(ui, joint, {x, plane.bottom, plane.at(0.0, own).y, at.y});
+  if (goesOn) {
+    square(ui, at, std::round(3.0f * ui.scale()), ColourRole::kTextSecondary,
+           ColourRole::kHandleFill);
+  }
 }
 
 void curve(Ui& ui, const Plane& plane, const SpeedGraph& graph) {
@@ -227,8 +229,11 @@ void speedCurveArea(Ui& ui, const Rect& rect, double per, const Session& session
   pointer(ui, plane, state, values, memory, actions);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect({rect.x, rect.y}, {rect.right(), rect.bottom()}, true);
-  neighbour(ui, rect, plane, graph->before, values.front(), graph->jumpsBefore(), true);
-  neighbour(ui, rect, plane, graph->after, values.back(), graph->jumpsAfter(), false);
+  neighbour(ui, rect, plane, graph->start, values.front(), true);
+  neighbour(ui, rect, plane, graph->end, values.back(), false);
+  const Rect inner{plane.left, plane.top, plane.right - plane.left, plane.bottom - plane.top};
+  jointNote(ui, "speed/jump_before", inner, graph->start, SectionEnd::kStart, values.front());
+  jointNote(ui, "speed/jump_after", inner, graph->end, SectionEnd::kEnd, values.back());
   curve(ui, plane, *graph);
   const std::size_t near = nearestHandle(plane, ImGui::GetIO().MousePos.x);
   for (std::size_t j = 0; j < values.size(); ++j) {
@@ -239,6 +244,7 @@ void speedCurveArea(Ui& ui, const Rect& rect, double per, const Session& session
            ColourRole::kHandleFill);
   }
   list.PopClipRect();
+  idleNote(ui, {rect.x, rect.y + ui.px(4), rect.width, ui.px(20)}, graph->idleTurns);
   if (state.hovered || memory.doing == Doing::kHandle) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
   }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Speed: the current section's curve in small, its duration and the hold before it.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "edit/film_length.hpp"
 #include "panels/left_panels.hpp"
+#include "panels/quantities.hpp"
+#include "panels/speed_joint.hpp"
 #include "panels/windows.hpp"
 
 namespace vides {
@@ -11,6 +15,20 @@ namespace {
 
 constexpr float kRow = 22.0f;
 constexpr float kLeastCurve = 30.0f, kUsualCurve = 60.0f, kMostCurve = 140.0f;
+
+// What the speed does at one end of the curve, which `inner` holds.
+template <class Place>
+void drawEnd(Ui& ui, const Rect& inner, const Session& session, SectionEnd end, Place place) {
+  const bool start = end == SectionEnd::kStart;
+  const Joint joint = jointAt(session.evaluation(), session.current(), end);
+  const SpeedValues& values = session.currentOrientation().speed;
+  const double own = start ? values.front() : values.back();
+  const double tau = start ? 0.0 : 1.0;
+  const double asFast = std::clamp(joint.asFast, kMinSpeed, kMaxSpeed);
+  drawJoint(ui, joint,
+            {place(tau, own).x, inner.bottom(), place(tau, own).y, place(tau, asFast).y});
+  jointNote(ui, start ? "speed/curve_start" : "speed/curve_end", inner, joint, end, own);
+}
 
 void smallCurve(Ui& ui, const Rect& rect, const Session& session, bool owns, Actions& actions) {
   ui.fill(rect, ColourRole::kField, 3.0f);
@@ -37,6 +55,14 @@ void smallCurve(Ui& ui, const Rect& rect, const Session& session, bool owns, Act
     points[i] = place(tau, curve.at(tau));
   }
   list.AddPolyline(points.data(), static_cast<int>(points.size()), ink, 0, 2.0f * ui.scale());
+  if (owns) {
+    drawEnd(ui, inner, session, SectionEnd::kStart, place);
+    drawEnd(ui, inner, session, SectionEnd::kEnd, place);
+  }
+  if (owns) {
+    const auto turns = session.evaluation().idleTurns(session.current());
+    idleNote(ui, {rect.x, rect.y + ui.px(2), rect.width, ui.px(16)}, turns);
+  }
   const float half = std::round(2.5f * ui.scale());
   for (int j = 0; j < kSpeedValues; ++j) {
     const ImVec2 at = place(j / 9.0, curve.values()[static_cast<std::size_t>(j)]);
@@ -95,17 +121,14 @@ void speedPanel(Ui& ui, Stack& column, float bottom, float spare, const Session&
     const auto section = owns ? session.evaluation().sectionFrom(place) : std::nullopt;
     const std::int64_t frames = section ? section->frames : 0;
     const double fps = session.flight().frameRate;
-    const auto frameNote = [&](std::int64_t count) {
-      return ui.tell(Text("frames.short", {count}));
-    };
     auto typed = numberRow(ui, rows.row(kRow), "speed/duration",
-                           orientation.duration.value_or(static_cast<double>(frames) / fps), owns,
-                           frameNote(frames));
+                           orientation.duration.value_or(toldSeconds(frames, fps)), owns,
+                           framesText(ui, frames));
     actions.typed(typed, [&](double seconds) { return Command("set-duration", seconds); });
     rows.gap(4);
-    typed = numberRow(
-        ui, rows.row(kRow), "speed/hold", orientation.hold, true,
-        frameNote(static_cast<std::int64_t>(std::floor(orientation.hold * fps + 0.5 + 1e-9))));
+    const auto hold = session.evaluation().holdBefore(place);
+    typed = numberRow(ui, rows.row(kRow), "speed/hold", orientation.hold, true,
+                      framesText(ui, hold ? hold->frames : 0));
     actions.typed(typed, [&](double seconds) { return Command("set-hold", seconds); });
     rows.gap(4);
     const auto row = split(ui, rows.row(kRow), 2);

@@ -11,8 +11,10 @@
 #include <utility>
 
 #include "edit/ease.hpp"
+#include "edit/film_length.hpp"
 #include "panels/left_panels.hpp"
 #include "panels/quantities.hpp"
+#include "panels/speed_joint.hpp"
 
 namespace vides {
 namespace {
@@ -95,41 +97,34 @@ void fields(Ui& ui, const Rect& rect, const Rect& row, const Session& session,
                                  .centred = true});
     actions.typed(typed, [&](double entered) { return Command("set-speed-value", j, entered); });
   }
-  const auto neighbour = [&](const char* id, int column, std::optional<double> speed) {
-    if (!speed) return;
-    const std::string words = ui.number(*speed, *speed == std::round(*speed) ? 0 : 1);
-    ui.text(box(column), words, {.colour = ColourRole::kTextSecondary, .align = Align::kCentre});
+  const auto neighbour = [&](const char* id, int column, const Joint& joint) {
+    const std::string words = beyondWords(ui, joint);
+    if (words.empty()) return;
+    ui.text(box(column), words,
+            {.colour = ColourRole::kTextSecondary, .align = Align::kCentre, .mayShorten = true});
     ui.shows(id, box(column), words);
   };
   if (!memory.graph) return;
-  neighbour("speed/before", 0, memory.graph->before);
-  neighbour("speed/after", 11, memory.graph->after);
+  neighbour("speed/before", 0, memory.graph->start);
+  neighbour("speed/after", 11, memory.graph->end);
 }
 
-// Buttons that take over the neighbours' speeds, where they jump; the section between them.
+// Buttons that take over the neighbours' speeds, where they jump.
 void matches(Ui& ui, const Rect& row, const Session& session, const SpeedWindowMemory& memory,
              Actions& actions) {
-  const SpeedGraph* graph = memory.graph ? &*memory.graph : nullptr;
+  const Joint start = memory.graph ? memory.graph->start : Joint{};
+  const Joint end = memory.graph ? memory.graph->end : Joint{};
   const float width = ui.px(144);
-  const bool first = graph != nullptr && graph->jumpsBefore();
-  const bool last = graph != nullptr && graph->jumpsAfter();
-  commandButton(ui, "speed/match_before", {row.x, row.y, width, row.height}, "match-speed before",
-                session, actions, {.enabled = first});
-  commandButton(ui, "speed/match_after", {row.right() - width, row.y, width, row.height},
-                "match-speed after", session, actions, {.enabled = last});
-  const SpeedValues& values = session.currentOrientation().speed;
-  const auto jump = [&](const char* id, double from, double to, Align align) {
-    const float half = (row.width - 2 * width) / 2 - ui.px(12);
-    const float x = align == Align::kLeft ? row.x + width + ui.px(8) : row.centreX() + ui.px(4);
-    const std::string numbers = fmt::format("{} \u2192 {}", ui.number(from, 0), ui.number(to, 0));
-    const std::string sentence = ui.words("speed.jump") + " " + numbers;
-    const std::string& words = ui.textWidth(sentence, Weight::kSmall) <= half ? sentence : numbers;
-    const Rect box{x, row.y, half, row.height};
-    ui.text(box, words, {.colour = ColourRole::kError, .weight = Weight::kSmall, .align = align});
-    ui.shows(id, box, words);
+  const auto button = [&](const char* id, const Rect& rect, const char* command, const Joint& joint,
+                          SectionEnd side) {
+    ButtonStyle style{.enabled = joint.jumps};
+    if (!joint.jumps) style.tooltip = whyNoMatch(ui, joint, side);
+    commandButton(ui, id, rect, command, session, actions, style);
   };
-  if (first) jump("speed/jump_before", *graph->before, values.front(), Align::kLeft);
-  if (last) jump("speed/jump_after", values.back(), *graph->after, Align::kRight);
+  button("speed/match_before", {row.x, row.y, width, row.height}, "match-speed before", start,
+         SectionEnd::kStart);
+  button("speed/match_after", {row.right() - width, row.y, width, row.height}, "match-speed after",
+         end, SectionEnd::kEnd);
 }
 
 // A small graph with a heading and a value at the right.
@@ -311,9 +306,8 @@ void duration(Ui& ui, Stack& rows, const Session& session, const SpeedWindowMemo
         {.decimals = decimals, .suffix = suffix, .enabled = enabled, .weight = Weight::kSemibold});
     actions.typed(typed, [&](double entered) { return Command(command, entered); });
   };
-  field("speed/seconds", "speed/duration",
-        orientation.duration.value_or(static_cast<double>(frames) / fps), 2, " s", owns,
-        "set-duration");
+  field("speed/seconds", "speed/duration", orientation.duration.value_or(toldSeconds(frames, fps)),
+        kTimeDecimals, " s", owns, "set-duration");
   field("speed/frames", "speed.frames", static_cast<double>(frames), 0,
         " " + ui.words(frames == 1 ? "frames_short#one" : "frames_short"), owns,
         "set-duration-frames");

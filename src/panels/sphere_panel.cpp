@@ -230,12 +230,11 @@ void measuresPanel(Ui& ui, Stack& column, const Session& session, FlightGraphs& 
       const bool fits = ui.textWidth(longer, Weight::kSemibold) <= room;
       ui.valueRow(rows.row(kMeasureRow), id, ui.words(id), fits ? longer : value);
     };
-    const double seconds =
-        static_cast<double>(session.evaluation().frameCount()) / session.flight().frameRate;
     const std::string length = measured(ui, session.evaluation().length() * unit.perCube);
     row("measures/length", length, withUnit(length, unit.brief));
-    const std::string duration = timeText(ui, seconds, seconds, 2);
-    row("measures/duration", duration, duration);
+    const std::int64_t frames = session.evaluation().frameCount();
+    const double fps = session.flight().frameRate;
+    row("measures/duration", secondsText(ui, frames, fps), lengthText(ui, frames, fps));
     const std::string speed =
         quality ? measured(ui, quality->maxSpeed * unit.perCube) : std::string();
     row("measures/speed", quality ? speed + " /s" : waiting,

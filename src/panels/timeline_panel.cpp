@@ -114,9 +114,7 @@ Command endCommand(const TimelineView::EndDrag& end, std::int64_t frames, double
 // The value above the end that is dragged.
 void tellEnd(Ui& ui, const Rect& row, const Track& track, const TimelineView::EndDrag& end,
              double fps) {
-  const std::string words =
-      fmt::format("{} s \u00b7 {}", ui.number(static_cast<double>(end.frames) / fps, 2),
-                  ui.tell(Text("frames.short", {end.frames})));
+  const std::string words = lengthText(ui, end.frames, fps);
   const float width = ui.textWidth(words, Weight::kSemibold) + ui.px(16);
   const float x = track.x(static_cast<double>(end.firstFrame + end.frames));
   const Rect box{std::clamp(std::round(x - width / 2), row.x, std::max(row.x, row.right() - width)),

@@ -66,7 +66,8 @@ std::vector<Piece> frameAndTime(const Ui& ui, const Session& session, int givenU
   std::vector<Piece> pieces;
   pieces.push_back({.words = word, .room = ui.textWidth(word) + spare});
   pieces.push_back({number, ColourRole::kText, Weight::kSemibold});
-  if (givenUp < kFrameCount) pieces.push_back({fmt::format(" {} {}", ui.words("of"), last)});
+  if (givenUp < kFrameCount)
+    pieces.push_back({fmt::format(" {} {}", ui.words("of"), frameNumbers(ui, 0, frames - 1))});
   const std::string point = "  \u00b7  ";
   if (givenUp < kTime) {
     const double span = static_cast<double>(frames) / fps;
@@ -75,8 +76,7 @@ std::vector<Piece> frameAndTime(const Ui& ui, const Session& session, int givenU
     pieces.push_back({paddedTime(ui, time, span, 2), ColourRole::kText, Weight::kSemibold});
   }
   if (givenUp < kFrameRate) {
-    pieces.push_back({fmt::format("{}{} {}", point, ui.number(fps, fps == std::floor(fps) ? 0 : 2),
-                                  ui.words("frames_per_second"))});
+    pieces.push_back({point + frameRateText(ui, fps)});
   }
   return pieces;
 }

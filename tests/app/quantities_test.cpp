@@ -52,7 +52,7 @@ TEST_F(Quantities, TimesHaveTheFormOfTheWholeFlight) {
   EXPECT_EQ(timeText(ui(true), 9.52, 31.12, 2), "9,52 s");
   EXPECT_EQ(timeText(ui(), 30.0, 59.999, 0), "30 s");
   EXPECT_EQ(timeText(ui(), 9.5, 60.0, 2), "0:09.50");
-  EXPECT_EQ(timeText(ui(), 69.999, 600.0, 2), "1:09.99");
+  EXPECT_EQ(timeText(ui(), 69.999, 600.0, 2), "1:10.00");
   EXPECT_EQ(timeText(ui(), 90.0, 600.0, 0), "1:30");
   EXPECT_EQ(timeText(ui(), 0.36, 8477.8, 2), "0:00:00.36");
   EXPECT_EQ(timeText(ui(), 8477.8, 8477.8, 2), "2:21:17.80");

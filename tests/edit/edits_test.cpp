@@ -185,6 +185,33 @@ TEST(OrientationEdits, SpeedsMatchTheirNeighbours) {
   refused(session, "match-speed after", "refusal.no-neighbour");
 }
 
+// Real speeds are compared: a duration counts, and where the camera stops nothing is to be matched.
+TEST(OrientationEdits, MatchingKnowsDurationsAndStops) {
+  Session session;
+  run(session, "insert-keys 2");
+  run(session, "select-key 1");
+  run(session, "set-duration 2");  // by rate it takes 1.33 s
+  run(session, "match-speed before");
+  const double first = session.currentOrientation().speed[0];
+  EXPECT_GT(first, 50.0);
+  run(session, "set-duration 8");  // even 100 is slower here than 50 before
+  const Flight before = session.flight();
+  refused(session, "match-speed before", "refusal.match-reach");
+  EXPECT_EQ(session.flight(), before);
+  run(session, "clear-duration");
+  run(session, "set-hold 1");
+  refused(session, "match-speed before", "refusal.match-rest");
+  run(session, "set-hold 0.01");  // less than half a frame is no stop
+  run(session, "match-speed before");
+  run(session, "insert-orientation");
+  run(session, "set-aim 0.5 0.5 0");
+  refused(session, "match-speed before", "refusal.match-kind");
+  run(session, "make-current 1 0");  // the pan
+  refused(session, "match-speed before", "refusal.match-kind");
+  run(session, "make-current 0 0");
+  refused(session, "match-speed after", "refusal.match-kind");
+}
+
 TEST(FlightEdits, ATypedShapeIsOwn) {
   Session session;
   run(session, "set-preset 3");

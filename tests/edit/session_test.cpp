@@ -381,7 +381,7 @@ TEST(Session, EveryCommandIsTakenBackWhole) {
   std::set<std::string> tried;
   Session session;
   makeFive(session);
-  run(session, "select-key 1 1");
+  run(session, "select-key 1 2");
   run(session, "set-speed 20 20 20 20 20 20 20 20 20 20");
   run(session, "set-free-view 0.1 0.2 0.3 1 0 0 0 1 0 40");
   const Flight before = session.flight();

@@ -54,9 +54,10 @@ TEST(SpeedGraph, ConstantSpeedHasNoAcceleration) {
   EXPECT_EQ(graph->most, 0.0);
   EXPECT_NEAR(graph->fastest, graph->mean, 1e-12);
   EXPECT_NEAR(graph->perSpeed * 50.0, graph->mean, 1e-12);
-  EXPECT_FALSE(graph->before);
-  EXPECT_FALSE(graph->jumpsBefore());
-  EXPECT_FALSE(graph->jumpsAfter());
+  for (const Joint& joint : {graph->start, graph->end}) {
+    EXPECT_EQ(joint.meeting, Joint::Meeting::kNothing);
+    EXPECT_FALSE(joint.value || joint.jumps || joint.stops());
+  }
   EXPECT_EQ(graph->points.size(), 109u);
   EXPECT_FALSE(speedGraph(session.evaluation(), {1, 0}));  // an open flight's last
 }
@@ -105,11 +106,11 @@ TEST(SpeedGraph, MarksJumpsToTheNeighbours) {
   run(session, "select-key 2");
   run(session, "set-speed 20 50 50 50 50 50 50 50 50 50");
   const auto graph = speedGraph(session.evaluation(), {2, 0});
-  EXPECT_EQ(graph->before, 50.0);
-  EXPECT_TRUE(graph->jumpsBefore());
-  EXPECT_FALSE(graph->jumpsAfter());
+  EXPECT_EQ(graph->start.value, 50.0);
+  EXPECT_TRUE(graph->start.jumps);
+  EXPECT_FALSE(graph->end.jumps);
   run(session, "match-speed before");
-  EXPECT_FALSE(speedGraph(session.evaluation(), {2, 0})->jumpsBefore());
+  EXPECT_FALSE(speedGraph(session.evaluation(), {2, 0})->start.jumps);
 }
 
 TEST(SpeedGraph, ASweepSetsTheHandlesItCrosses) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Frames to seconds.
+#include "edit/film_length.hpp"
+
+#include <cmath>
+
+namespace vides {
+
+std::int64_t timeTicks(double seconds, int decimals) {
+  // 29 frames of 100 a second are 0.29 s, however it is represented.
+  return static_cast<std::int64_t>(std::floor(seconds * std::pow(10.0, decimals) + 0.5 + 1e-6));
+}
+
+double toldSeconds(std::int64_t frames, double frameRate) {
+  return static_cast<double>(timeTicks(static_cast<double>(frames) / frameRate)) / 100.0;
+}
+
+}  // namespace vides
