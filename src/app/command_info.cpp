@@ -16,6 +16,7 @@
 #include "app/flight_input.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
+#include "edit/film_length.hpp"
 #include "evaluate/quality.hpp"
 
 namespace vides {
@@ -118,7 +119,7 @@ Widths widthsFor(const Evaluation& evaluation) {
       std::max<std::size_t>(4, fmt::formatted_size("{}.9", flight.keys.size())),
       std::max<std::size_t>(11, fmt::formatted_size("{}", evaluation.frameCount())),
       std::max<std::size_t>(
-          7, fmt::formatted_size("{:.2f}", seconds(evaluation.frameCount(), flight))),
+          7, fmt::formatted_size("{:.2f}", toldSeconds(evaluation.frameCount(), flight.frameRate))),
   };
 }
 
@@ -132,7 +133,7 @@ void writeTable(const Evaluation& evaluation, Output& output) {
     const std::string row = fmt::format(
         "{:>{}}  {:<4}  {:<{}}  {:<{}}  {:>{}}  {:>{}}  {:>{}.2f}  {:>9}  {:>7.2f}\n", s.index,
         w.index, name(s.kind), placeText(s.from), w.place, placeText(s.to), w.place, s.firstFrame,
-        w.frame, s.frames, w.frame, seconds(s.frames, evaluation.flight()), w.seconds,
+        w.frame, s.frames, w.frame, toldSeconds(s.frames, evaluation.flight().frameRate), w.seconds,
         s.kind == SectionKind::kMove ? fmt::format("{:.4f}", s.length) : "", s.angle);
     if (!output.write(row)) return;
   }
@@ -145,9 +146,10 @@ void writeText(const Evaluation& evaluation, const std::string& file, Output& ou
                            flight.closed ? "closed" : "open"));
   output.write(fmt::format("Orientations  {} (curve: {})\n", flight.keys.orientations(),
                            name(flight.orientationCurve)));
-  output.write(
-      fmt::format("Frames        {} ({} a second)\n", evaluation.frameCount(), flight.frameRate));
-  output.write(fmt::format("Seconds       {:.2f}\n", seconds(evaluation.frameCount(), flight)));
+  const std::int64_t frames = evaluation.frameCount();
+  output.write(fmt::format("Frames        {} (0 to {}, {} a second)\n", frames, frames - 1,
+                           flight.frameRate));
+  output.write(fmt::format("Seconds       {:.2f}\n", toldSeconds(frames, flight.frameRate)));
   output.write(fmt::format("Length        {:.4f} cube units\n\n", evaluation.length()));
   writeTable(evaluation, output);
   const Quality quality = measureWithProgress(evaluation);

@@ -311,6 +311,22 @@ class Info(ProgramTest):
             self.assertEqual(info["quality"]["frames_outside_cube"],
                              sum(max(map(abs, row)) > 1 + 1e-9 for row in rows))
 
+    def test_what_is_given_in_seconds_does_not_drift(self):
+        """100 sections of 3/11 s at 24 a second are 27.27 s; rounded one by one they were 29.2."""
+        keys = [{"position": [-0.99 + 0.0198 * k, 0, 0],
+                 "orientations": [{"aim": [0, 1, 3], "duration": 0.27272727}]}
+                for k in range(101)]
+        (self.folder / "beat.vid").write_text(json.dumps(
+            {"format": "vides", "version": 1, "frame_rate": 24, "keys": keys}))
+        text = self.output_of("info", "--json", "beat.vid").decode()
+        self.assertIn('"frames":656,"seconds"', text)
+        info = json.loads(text)
+        for i, section in enumerate(info["sections"]):
+            self.assertAlmostEqual(section["first_frame"], i * 0.27272727 * 24, delta=0.5 + 1e-6)
+        # The last frame of an open flight is in the total alone.
+        self.assertEqual(sum(section["frames"] for section in info["sections"]), 655)
+        self.assertIn("656 (0 to 655, 24 a second)", self.output_of("info", "beat.vid").decode())
+
     def test_text(self):
         text = self.output_of("info", PYRAMID).decode()
         for word in ("Around the pyramid", "6 (open)", "10", "778", "31.12", "5.9953", "move",
@@ -331,6 +347,36 @@ class Info(ProgramTest):
 class Check(ProgramTest):
     def test_right_flights_get_no_word(self):
         self.assertEqual(self.output_of("check", *(FLIGHTS / f"{n}.vid" for n in NAMES)), b"")
+
+    def test_remarks_on_rolls_of_whole_turns(self):
+        def flight(*rolls, **members):
+            keys = [{"position": [0.5, 0, 0], "orientations":
+                     [{"aim": [0, 0, 0], "roll": roll, **members} for roll in rolls]},
+                    {"position": [0, 0, 0.5], "orientations": [{"aim": [0, 0, 0]}]}]
+            return json.dumps({"format": "vides", "version": 1, "keys": keys}).encode()
+
+        def lines(text):
+            done = self.run_vides("check", "-", input=text)
+            self.assertEqual(done.returncode, 0)
+            self.assertEqual(done.stderr, b"")
+            return done.stdout.decode().splitlines()
+
+        self.assertEqual(lines(flight(0, 360)), [
+            "-: /keys/0/orientations/1/roll: remark: 360 is a whole turn from 0 at "
+            "/keys/0/orientations/0, and nothing else differs: the section between has nothing to "
+            "do and no frames"])
+        self.assertIn("is a hold", lines(flight(-180, 180, duration=2))[0])
+        self.assertIn("3 whole turns", lines(flight(1080, 0))[0])
+        self.assertEqual(len(lines(flight(0, 360, 0, 720))), 3)
+        for quiet in (flight(0, 180), flight(0, -180), flight(0, 540), flight(10, 10)):
+            self.assertEqual(lines(quiet), [])
+        # Beside a flight with problems the status is that of the problems.
+        (self.folder / "turn.vid").write_bytes(flight(0, 360))
+        (self.folder / "bad.vid").write_text('{"format": "vides", "version": 1, "keys": []}')
+        done = self.run_vides("check", "turn.vid", "bad.vid")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"turn.vid: /keys/0/orientations/1/roll: remark: ", done.stdout)
+        self.assertIn(b"bad.vid: /keys: ", done.stdout)
 
     def test_a_line_per_problem(self):
         (self.folder / "bad.vid").write_text(
