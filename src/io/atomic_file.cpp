@@ -4,19 +4,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <sys/xattr.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <climits>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <utility>
 
+#include "io/leftovers.hpp"
 #include "io/temporary_files.hpp"
 
 namespace vides {
@@ -87,11 +86,8 @@ std::string followLinks(std::string path) {
   return {};
 }
 
-std::string temporaryName() {
-  std::uint64_t number = 0;
-  if (retry([&] { return getrandom(&number, sizeof number, 0); }) != sizeof number) return {};
-  return fmt::format(".vides-{:016x}", number);
-}
+// How an open file is reached by a name, which it may not have.
+std::string openFilePath(int file) { return fmt::format("/proc/self/fd/{}", file); }
 
 }  // namespace
 
@@ -120,6 +116,10 @@ bool AtomicFile::fail(int number) {
 }
 
 void AtomicFile::open() {
+  if (path_.find('\0') != path_.npos) {
+    fail(EINVAL);  // what the system sees of such a name is another one
+    return;
+  }
   const std::string path = followLinks(path_);
   if (path.empty()) {
     fail(path_.empty() ? ENOENT : errno);
@@ -137,6 +137,7 @@ void AtomicFile::open() {
     fail(errno);  // a write-protected file isn't replaced behind its owner's back
   } else {
     // Nobody may look into the file before it has its permissions.
+    replaces_ = there;
     openTemporary(path, there ? 0600 : 0666);
     if (there && !error_) keepPermissions(path);
   }
@@ -164,27 +165,52 @@ void AtomicFile::openTemporary(const std::string& path, unsigned mode) {
     fail(errno);
     return;
   }
+  if (!openUnnamed(mode)) openNamed(mode);
+}
+
+// Without a name nothing is left of it, however the program ends. Only where it can get one later.
+bool AtomicFile::openUnnamed(unsigned mode) {
+  file_ = retry([&] { return openat(folder_, ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, mode); });
+  if (file_ < 0) return false;
+  struct stat status {};
+  if (stat(openFilePath(file_).c_str(), &status) == 0) {
+    lockTemporary(file_);
+    return unnamed_ = true;
+  }
+  ::close(std::exchange(file_, -1));
+  return false;
+}
+
+void AtomicFile::openNamed(unsigned mode) {
   for (int i = 0; i < kMostNames; ++i) {
-    temporary_ = temporaryName();
-    if (temporary_.empty()) {
-      fail(errno);
-      return;
-    }
-    // Remembered before it exists: a signal in between finds nothing to remove.
-    slot_ = rememberTemporaryFile(folder_, temporary_);
+    if (!nameTemporary()) return;
     file_ = retry([&] {
       return openat(folder_, temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     });
-    if (file_ >= 0) return;
     const int error = errno;
-    forgetTemporaryFile(std::exchange(slot_, -1));
-    temporary_.clear();
-    if (error != EEXIST) {
+    if (file_ >= 0 && lockNamedTemporary(file_)) return;
+    if (file_ >= 0) ::close(std::exchange(file_, -1));
+    if (file_ < 0 && error != EEXIST) {
+      forgetTemporary();
       fail(error);
       return;
     }
+    forgetTemporary();
   }
   fail(EEXIST);
+}
+
+// Remembered before it exists: a signal in between finds nothing to remove.
+bool AtomicFile::nameTemporary() {
+  temporary_ = temporaryName();
+  if (temporary_.empty()) return fail(errno);
+  slot_ = rememberTemporaryFile(folder_, temporary_);
+  return true;
+}
+
+void AtomicFile::forgetTemporary() {
+  temporary_.clear();
+  forgetTemporaryFile(std::exchange(slot_, -1));
 }
 
 // Gives the temporary file the owner, the access list and the mode of the file at `path`. Where the
@@ -239,20 +265,41 @@ bool AtomicFile::closeFile() {
   return true;
 }
 
+// Gives a file without a name the target's, if that is free, else a temporary one.
+bool AtomicFile::link() {
+  const std::string file = openFilePath(file_);
+  const auto linkAs = [&](const std::string& name) {
+    return linkat(AT_FDCWD, file.c_str(), folder_, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  };
+  if (!replaces_ && linkAs(target_)) return true;
+  for (int i = 0; i < kMostNames; ++i) {
+    if (!nameTemporary()) return false;
+    if (linkAs(temporary_)) return true;
+    const int error = errno;
+    forgetTemporary();
+    if (error != EEXIST) return fail(error);
+  }
+  return fail(EEXIST);
+}
+
 tl::expected<void, FileError> AtomicFile::commit() {
   if (!error_) flush();
   if (!error_ && !direct_ && retry([&] { return fsync(file_); }) != 0) fail(errno);
-  if (!error_) closeFile();
-  if (!error_ && !direct_) {
+  if (!error_ && unnamed_) link();
+  // Still open, and so still locked, until it has its name.
+  if (!error_ && !temporary_.empty()) {
     if (renameat(folder_, temporary_.c_str(), folder_, target_.c_str()) != 0) {
       fail(errno);
     } else {
-      temporary_.clear();
-      forgetTemporaryFile(std::exchange(slot_, -1));
-      // EBADF: the folder may not be listed. EINVAL: the file system has no such thing.
-      if (retry([&] { return fsync(folder_); }) != 0 && errno != EBADF && errno != EINVAL) {
-        fail(errno);
-      }
+      forgetTemporary();
+    }
+  }
+  if (!error_) closeFile();
+  if (!error_ && !direct_) {
+    clearLeftovers(folder_);
+    // EBADF: the folder may not be listed. EINVAL: the file system has no such thing.
+    if (retry([&] { return fsync(folder_); }) != 0 && errno != EBADF && errno != EINVAL) {
+      fail(errno);
     }
   }
   discard();
@@ -263,11 +310,8 @@ tl::expected<void, FileError> AtomicFile::commit() {
 void AtomicFile::discard() {
   buffer_.clear();
   if (file_ >= 0) ::close(std::exchange(file_, -1));
-  if (!temporary_.empty()) {
-    unlinkat(folder_, temporary_.c_str(), 0);
-    temporary_.clear();
-  }
-  forgetTemporaryFile(std::exchange(slot_, -1));
+  if (!temporary_.empty()) unlinkat(folder_, temporary_.c_str(), 0);
+  forgetTemporary();
   if (folder_ >= 0) ::close(std::exchange(folder_, -1));
 }
 

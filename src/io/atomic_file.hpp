@@ -2,15 +2,16 @@
 // Files that appear whole or not at all.
 //
 // What is written goes to a temporary file in the target's folder; commit() brings it to the disk
-// and renames it over the target. Until then the target is untouched, and without commit(), or
+// and puts it in the target's place. Until then the target is untouched, and without commit(), or
 // after an error, nothing is left behind. Symbolic links are followed: the file they lead to is
 // replaced. A file that is replaced keeps its permissions (and owner, where the system lets us), a
 // new one gets those of the umask. What isn't a regular file (/dev/stdout, a pipe, /dev/null) is
 // written directly.
 //
-// The temporary file has a name from the start (not O_TMPFILE): that works on every file system,
-// and a rename is needed to replace a file anyway. A name that a signal leaves behind is what
-// io/temporary_files.hpp is for.
+// The temporary file has no name where the file system can do without (O_TMPFILE): only for the
+// moment between its getting one and its renaming over the target does a killed program leave it.
+// On other file systems it has one from the start. Signals that can be caught remove it
+// (io/temporary_files.hpp); after others the next saver in the folder does (io/leftovers.hpp).
 #pragma once
 
 #include <optional>
@@ -56,6 +57,11 @@ class AtomicFile {
   void open();
   void openDirectly(const std::string& path);
   void openTemporary(const std::string& path, unsigned mode);
+  bool openUnnamed(unsigned mode);
+  void openNamed(unsigned mode);
+  bool nameTemporary();
+  void forgetTemporary();
+  bool link();
   void keepPermissions(const std::string& path);
   bool fail(int number);
   bool flush();
@@ -66,6 +72,8 @@ class AtomicFile {
   std::string target_;     // name in the folder
   std::string temporary_;  // name in the folder; empty if there is none
   bool direct_ = false;
+  bool unnamed_ = false;   // the temporary file, until it is linked
+  bool replaces_ = false;  // there was a file when it was opened
   int folder_ = -1;
   int file_ = -1;
   int slot_ = -1;  // in the list of temporary files

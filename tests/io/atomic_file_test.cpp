@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "io/leftovers.hpp"
 #include "support/files.hpp"
 #include "support/process.hpp"
 
@@ -95,9 +96,52 @@ TEST_F(AtomicFileTest, NothingHappensWithoutCommit) {
   {
     AtomicFile file(target.string());
     file.write(std::string(1'000'000, 'n'));
-    EXPECT_EQ(namesIn(folder.path()).size(), 2U);
+    EXPECT_EQ(readAll(target), "old");
   }
   EXPECT_EQ(readAll(target), "old");
+  EXPECT_THAT(namesIn(folder.path()), testing::ElementsAre("flight.vid"));
+}
+
+// What a killed saver has left goes with the next saving; what one at work has stays, and so does
+// everything that only looks like it.
+TEST_F(AtomicFileTest, TheNextSavingClearsWhatDeadSaversLeft) {
+  const std::string dead = temporaryName(), atWork = temporaryName();
+  writeAll(folder / dead, "half");
+  writeAll(folder / atWork, "half");
+  const int file = open((folder / atWork).c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_TRUE(lockNamedTemporary(file));
+  const std::string folderName = temporaryName(), link = temporaryName();
+  fs::create_directory(folder / folderName);
+  fs::create_symlink(target, folder / link);
+  const std::vector<std::string> others = {".vides-", ".vides-0123456789abcdeg",
+                                           ".vides-0123456789abcdef.vid", "vides-0123456789abcdef"};
+  for (const std::string& name : others) writeAll(folder / name, "mine");
+  EXPECT_EQ(save(target, "text"), "");
+  std::vector<std::string> left = others;
+  left.insert(left.end(), {"flight.vid", atWork, folderName, link});
+  EXPECT_THAT(namesIn(folder.path()), testing::UnorderedElementsAreArray(left));
+  close(file);
+  EXPECT_EQ(save(target, "text"), "");
+  EXPECT_FALSE(fs::exists(folder / atWork));
+}
+
+// Two that save in a folder at the same time leave each other alone.
+TEST_F(AtomicFileTest, SaversSideBySide) {
+  AtomicFile one((folder / "one").string());
+  one.write("one");
+  EXPECT_EQ(save(folder / "two", "two"), "");
+  EXPECT_TRUE(one.commit().has_value());
+  EXPECT_EQ(readAll(folder / "one"), "one");
+  EXPECT_THAT(namesIn(folder.path()), testing::ElementsAre("one", "two"));
+}
+
+// A file that came meanwhile is replaced like one that was there before.
+TEST_F(AtomicFileTest, ATargetThatAppearsMeanwhileIsReplaced) {
+  AtomicFile file(target.string());
+  file.write("ours");
+  writeAll(target, "theirs");
+  EXPECT_TRUE(file.commit().has_value());
+  EXPECT_EQ(readAll(target), "ours");
   EXPECT_THAT(namesIn(folder.path()), testing::ElementsAre("flight.vid"));
 }
 
@@ -202,6 +246,12 @@ TEST_F(AtomicFileTest, LinksInACircleAreAnError) {
   fs::create_symlink("b", folder / "a");
   fs::create_symlink("a", folder / "b");
   EXPECT_EQ(save(folder / "a", "new"), "Too many levels of symbolic links");
+}
+
+// The system would see another name, the one up to it.
+TEST_F(AtomicFileTest, ANameWithNulIsRefused) {
+  EXPECT_EQ(save(target.string() + std::string("\0.vid", 5), "x"), "Invalid argument");
+  EXPECT_THAT(namesIn(folder.path()), testing::IsEmpty());
 }
 
 TEST_F(AtomicFileTest, NamesAsLongAsTheSystemAllows) {
