@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Whose OpenGL context this thread draws with.
+// Which host has made its OpenGL context current last on this thread.
 //
 // Each library knows of its own contexts only: where two of them draw in turn on one thread, each
-// takes the one that it made current last for the current one still. So hosts ask here.
+// takes the one that it made current last for the current one still. And other code may make its
+// own current without telling us. So a host's context is current where both say so: its library,
+// and what is kept here.
 #pragma once
 
 namespace vides {

@@ -27,6 +27,7 @@ struct EglFunctions {
   decltype(&eglCreateContext) createContext;
   decltype(&eglDestroyContext) destroyContext;
   decltype(&eglMakeCurrent) makeCurrent;
+  decltype(&eglGetCurrentContext) currentContext;
   decltype(&eglGetError) getError;
 };
 
@@ -42,6 +43,7 @@ tl::expected<EglFunctions, std::string> loadEgl(const std::string& name) {
       !library->find("eglCreateContext", egl.createContext) ||
       !library->find("eglDestroyContext", egl.destroyContext) ||
       !library->find("eglMakeCurrent", egl.makeCurrent) ||
+      !library->find("eglGetCurrentContext", egl.currentContext) ||
       !library->find("eglGetError", egl.getError)) {
     return Failure(fmt::format("{} is not EGL 1.4", name));
   }
@@ -81,8 +83,11 @@ class EglHost final : public OffscreenHost {
   }
 
   void makeCurrent() override {
-    if (!isCurrentContext(context_)) bind();
+    if (!isCurrentContext(context_) || egl_.currentContext() != context_) bind();
   }
+
+ protected:
+  void bindAnew() override { bind(); }
 
  private:
   bool bind() {

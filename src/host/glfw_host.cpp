@@ -83,6 +83,7 @@ std::string whyNoContext(const std::string& reason) {
   std::string sentence = "OpenGL 3.3 is needed, and none was found: " + reason;
   if (window != nullptr) {
     glfwMakeContextCurrent(window);
+    setCurrentContext(nullptr);
     if (const auto gl = loadGl(&glfwGetProcAddress); !gl) sentence = gl.error();
     glfwDestroyWindow(window);
   }
@@ -96,18 +97,16 @@ class GlfwHost final : public Host {
     for (GLFWcursor* cursor : cursors_) {
       if (cursor != nullptr) glfwDestroyCursor(cursor);
     }
+    if (window_ == nullptr) return;
     if (isCurrentContext(window_)) setCurrentContext(nullptr);
-    if (window_ != nullptr) glfwDestroyWindow(window_);
+    glfwDestroyWindow(window_);
   }
 
   tl::expected<void, std::string> open(const WindowOptions& options);
 
   const Gl& gl() const override { return gl_; }
   void makeCurrent() override {
-    if (isCurrentContext(window_)) return;
-    glfwMakeContextCurrent(nullptr);  // it does nothing for a context that it takes for current
-    glfwMakeContextCurrent(window_);
-    setCurrentContext(window_);
+    if (!isCurrentContext(window_) || glfwGetCurrentContext() != window_) bind();
   }
   PixelSize size() const override;
   double contentScale() const override;
@@ -128,11 +127,19 @@ class GlfwHost final : public Host {
   void setTitle(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
   bool fullScreen() const override { return glfwGetWindowMonitor(window_) != nullptr; }
   void setFullScreen(bool on) override;
-  void onLost(std::function<void()> last) override { watch_.emplace(std::move(last)); }
+  void onLost(std::function<void()> last) override {
+    watch_.reset();
+    watch_.emplace(std::move(last));
+  }
 
  private:
   static GlfwHost& of(GLFWwindow* window) {
     return *static_cast<GlfwHost*>(glfwGetWindowUserPointer(window));
+  }
+  void bind() {
+    glfwMakeContextCurrent(nullptr);  // it does nothing for a context that it takes for current
+    glfwMakeContextCurrent(window_);
+    setCurrentContext(window_);
   }
   void listen();
   void onKey(int token, int scancode, int action, int bits);
@@ -165,7 +172,7 @@ tl::expected<void, std::string> GlfwHost::open(const WindowOptions& options) {
   window_ = glfwCreateWindow(std::max(1, options.size.width), std::max(1, options.size.height),
                              options.title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) return Failure(whyNoContext(lastError()));
-  glfwMakeContextCurrent(window_);
+  bind();
   auto gl = loadGl(&glfwGetProcAddress);
   if (!gl) return Failure(gl.error());
   gl_ = std::move(*gl);
@@ -267,7 +274,7 @@ double GlfwHost::contentScale() const {
 bool GlfwHost::beginDrawing() {
   const PixelSize pixels = size();
   if (pixels.empty()) return false;
-  makeCurrent();
+  bind();
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl_.Viewport(0, 0, pixels.width, pixels.height);
   return true;

@@ -29,14 +29,16 @@ class Host {
 
   // OpenGL for this host's context, filled when it was opened.
   virtual const Gl& gl() const = 0;
-  // Makes the context current on this thread.
+  // Makes the context current on this thread, unless it is: also after other hosts, and other code
+  // that uses the same library.
   virtual void makeCurrent() = 0;
 
   virtual PixelSize size() const = 0;
   // How much larger than at 96 dots an inch widgets are drawn; > 0.
   virtual double contentScale() const = 0;
 
-  // Makes the context current and binds what to draw into, the viewport being all of it. False
+  // Makes the context current, whatever other code has made current meanwhile by whatever library,
+  // and binds what to draw into, the viewport being all of it. False
   // where there is nothing to draw into (0 × 0): then neither draw nor swap.
   virtual bool beginDrawing() = 0;
   // The framebuffer that beginDrawing() bound, to return to after drawing elsewhere.
@@ -66,7 +68,8 @@ class Host {
   // What is still to be done when the display is lost (its server has ended). It is called in the
   // middle of some function of this host, on the thread that uses it, and must use neither the host
   // nor OpenGL any more. When it returns the process ends with status 1: no library that draws
-  // there survives. What is drawn into memory has no display to lose.
+  // there survives. An empty function takes it back: before what it uses goes. What is drawn into
+  // memory has no display to lose.
   // NOLINTNEXTLINE(performance-unnecessary-value-param): those that can lose one keep it
   virtual void onLost(std::function<void()> /*last*/) {}
 };

@@ -7,7 +7,9 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <exception>
 #include <utility>
+#include <vector>
 
 namespace vides {
 namespace {
@@ -19,6 +21,12 @@ using WaylandCall = int (*)(void*);
 using SetErrorHandler = int (*(*)(int (*)(void*)))(void*);
 using SetExitHandler = void (*)(void*, void (*)(void*, void*), void*);
 
+// Those of all windows: GLFW has one connection a process, and so is this list.
+std::vector<LostDisplay*>& watches() {
+  static std::vector<LostDisplay*> all;
+  return all;
+}
+
 template <typename Function>
 Function loaded(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
@@ -27,6 +35,7 @@ Function loaded(const char* name) {
 }  // namespace
 
 LostDisplay::LostDisplay(std::function<void()> last) : last_(std::move(last)) {
+  watches().push_back(this);
   if (const auto waylandOf = loaded<DisplayOf>("glfwGetWaylandDisplay")) {
     wayland_ = waylandOf();
     waylandError_ = loaded<WaylandCall>("wl_display_get_error");
@@ -45,11 +54,12 @@ LostDisplay::LostDisplay(std::function<void()> last) : last_(std::move(last)) {
   // comes the second, which by itself is exit().
   setError([](void*) { return 0; });
   setExit(
-      display_, [](void*, void* self) { static_cast<LostDisplay*>(self)->end(); }, this);
+      display_, [](void*, void*) { end(); }, nullptr);
 }
 
 LostDisplay::~LostDisplay() {
-  if (display_ == nullptr) return;
+  std::erase(watches(), this);
+  if (display_ == nullptr || !watches().empty()) return;
   loaded<SetExitHandler>("XSetIOErrorExitHandler")(display_, nullptr, nullptr);
 }
 
@@ -63,12 +73,20 @@ void LostDisplay::check() {
 }
 
 void LostDisplay::end() {
-  // Another thread, of a driver say, must not touch what belongs to this one.
-  if (std::this_thread::get_id() == thread_) {
-    if (const auto last = std::exchange(last_, nullptr)) last();
-  }
+  for (LostDisplay* const watch : watches()) watch->say();
   // Without the destructors of what uses the display.
   std::_Exit(1);
+}
+
+// Another thread, of a driver say, must not touch what belongs to this one. Whoever throws here
+// would do so through Xlib.
+void LostDisplay::say() {
+  if (std::this_thread::get_id() != thread_) return;
+  try {
+    if (const auto last = std::exchange(last_, nullptr)) last();
+  } catch (const std::exception&) {
+    return;
+  }
 }
 
 }  // namespace vides

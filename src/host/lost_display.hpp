@@ -14,8 +14,8 @@
 namespace vides {
 
 // From construction to destruction, with GLFW started on this thread. When the connection breaks,
-// `last` is called, if it is this thread that notices, and the process ends with status 1. With an
-// Xlib before 1.7 it does nothing.
+// `last` is called (of every watch of this thread, the oldest first), if it is this thread that
+// notices, and the process ends with status 1. With an Xlib before 1.7 it does nothing.
 class LostDisplay {
  public:
   explicit LostDisplay(std::function<void()> last);
@@ -27,7 +27,8 @@ class LostDisplay {
   void check();
 
  private:
-  [[noreturn]] void end();
+  [[noreturn]] static void end();
+  void say();
 
   std::function<void()> last_;
   std::thread::id thread_ = std::this_thread::get_id();

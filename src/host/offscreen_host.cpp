@@ -60,7 +60,7 @@ void OffscreenHost::advanceTime(double seconds) {
 
 bool OffscreenHost::beginDrawing() {
   if (size_.empty()) return false;
-  makeCurrent();
+  bindAnew();
   framebuffer_.bind();
   return true;
 }

@@ -59,6 +59,8 @@ class OffscreenHost : public Host {
   tl::expected<void, std::string> start(const GlLoader& loader, const OffscreenOptions& options);
   // In the derived destructor, while the context still exists.
   void release();
+  // Makes the context current even where it seems to be.
+  virtual void bindAnew() = 0;
 
  private:
   tl::expected<void, std::string> makeFramebuffer(PixelSize size);

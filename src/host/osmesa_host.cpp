@@ -22,6 +22,7 @@ struct OsmesaFunctions {
   void (*destroyContext)(OsmesaContext context);
   GLboolean (*makeCurrent)(OsmesaContext context, void* buffer, GLenum type, GLsizei width,
                            GLsizei height);
+  OsmesaContext (*currentContext)();
   GlFunction (*getProcAddress)(const char* name);
 };
 constexpr int kFormat = 0x22;  // OSMESA_FORMAT
@@ -58,8 +59,11 @@ class OsmesaHost final : public OffscreenHost {
   }
 
   void makeCurrent() override {
-    if (!isCurrentContext(context_)) bind();
+    if (!isCurrentContext(context_) || osmesa_.currentContext() != context_) bind();
   }
+
+ protected:
+  void bindAnew() override { bind(); }
 
  private:
   bool bind() {
@@ -84,6 +88,7 @@ tl::expected<std::unique_ptr<OffscreenHost>, std::string> openOsmesaHost(
       !library->find("OSMesaCreateContextAttribs", functions.createContextAttributes) ||
       !library->find("OSMesaDestroyContext", functions.destroyContext) ||
       !library->find("OSMesaMakeCurrent", functions.makeCurrent) ||
+      !library->find("OSMesaGetCurrentContext", functions.currentContext) ||
       !library->find("OSMesaGetProcAddress", functions.getProcAddress)) {
     return Failure(fmt::format("{} is not an OSMesa that knows OpenGL 3.3", options.library));
   }

@@ -3,6 +3,7 @@
 // sentences.
 #include "host/egl_host.hpp"
 
+#include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -92,6 +93,21 @@ TEST_F(EglHost, TwoAtOnceAndOneAfterTheOther) {
   openHost({80, 60}).reset();
   EXPECT_TRUE(drawTriangle(*first));
   EXPECT_EQ(first->picture().value(), triangle({40, 30}));
+}
+
+// Other code that uses the library tells nobody.
+TEST_F(EglHost, DrawsAfterOtherCodeHasTakenItsContextAway) {
+  const auto host = openHost({40, 30});
+  void* const library = dlopen("libEGL.so.1", RTLD_NOW);
+  using CurrentDisplay = void* (*)();
+  using MakeCurrent = unsigned (*)(void*, void*, void*, void*);
+  const auto display = reinterpret_cast<CurrentDisplay>(dlsym(library, "eglGetCurrentDisplay"))();
+  const auto makeCurrent = reinterpret_cast<MakeCurrent>(dlsym(library, "eglMakeCurrent"));
+  makeCurrent(display, nullptr, nullptr, nullptr);
+  EXPECT_TRUE(drawTriangle(*host));
+  makeCurrent(display, nullptr, nullptr, nullptr);
+  EXPECT_EQ(host->picture().value(), triangle({40, 30}));
+  dlclose(library);
 }
 
 TEST_F(EglHost, SizesAtTheEdge) {

@@ -313,6 +313,26 @@ TEST_F(GlfwHostTest, TwoWindowsEndOnTheirOwn) {
   EXPECT_TRUE(test::drawTriangle(*host_));
 }
 
+// Opening a window makes its context current, and so may other code: each draws into its own.
+TEST_F(GlfwHostTest, DrawsIntoItsOwnContextWhateverIsCurrent) {
+  open({200, 100});
+  GLFWwindow* const first = glfwGetCurrentContext();
+  EXPECT_TRUE(test::drawTriangle(*host_));
+  const auto second = openGlfwHost({.title = "second"}).value();
+  GLFWwindow* const other = glfwGetCurrentContext();
+  ASSERT_NE(first, other);
+  ASSERT_TRUE(host_->beginDrawing());
+  EXPECT_EQ(glfwGetCurrentContext(), first);
+  glfwMakeContextCurrent(other);
+  host_->makeCurrent();
+  EXPECT_EQ(glfwGetCurrentContext(), first);
+  glfwMakeContextCurrent(nullptr);
+  host_->swap();
+  EXPECT_EQ(glfwGetCurrentContext(), first);
+  second->makeCurrent();
+  EXPECT_EQ(glfwGetCurrentContext(), other);
+}
+
 TEST_F(GlfwHostTest, TooOldOpenGlIsASentence) {
   const auto result =
       runProcess({VIDES_HOST_PROBE, "window", "64x48"}, {"MESA_GL_VERSION_OVERRIDE=2.1"});

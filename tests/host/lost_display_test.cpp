@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <stdexcept>
 
 namespace {
 int display = 0;       // its address counts
@@ -37,6 +38,30 @@ TEST(LostDisplay, NothingHappensWhileTheCompositorIsThere) {
   watch.check();
   EXPECT_FALSE(called);
   flushError = 0;
+}
+
+TEST(LostDisplayDeathTest, EveryWindowHasItsLastWordAndNoneThatIsGone) {
+  const auto lose = [] {
+    LostDisplay first([] { std::fputs("first\n", stderr); });
+    {
+      LostDisplay gone([] { std::fputs("gone\n", stderr); });
+    }
+    LostDisplay second([] { std::fputs("second\n", stderr); });
+    LostDisplay silent({});
+    displayError = EPIPE;
+    second.check();
+  };
+  EXPECT_EXIT(lose(), testing::ExitedWithCode(1), "^first\nsecond\n$");
+}
+
+TEST(LostDisplayDeathTest, WhatThrowsThenDoesNotEndItOtherwise) {
+  const auto lose = [] {
+    LostDisplay first([] { throw std::runtime_error("no memory"); });
+    LostDisplay second([] { std::fputs("kept\n", stderr); });
+    displayError = EPIPE;
+    first.check();
+  };
+  EXPECT_EXIT(lose(), testing::ExitedWithCode(1), "^kept\n$");
 }
 
 TEST(LostDisplayDeathTest, ALostCompositorEndsTheProgramAfterTheLastWord) {

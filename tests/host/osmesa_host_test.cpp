@@ -2,6 +2,7 @@
 // OSMesa: a context without a screen draws, the same bytes each time, and refuses in sentences.
 #include "host/osmesa_host.hpp"
 
+#include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -113,6 +114,20 @@ TEST(OsmesaHost, TwoAtOnceEachWithItsTable) {
   EXPECT_TRUE(drawTriangle(*large));
   EXPECT_EQ(small->picture().value(), triangle({40, 30}));
   EXPECT_EQ(large->picture().value(), triangle({80, 60}));
+}
+
+// Other code that uses the library tells nobody.
+TEST(OsmesaHost, DrawsAfterOtherCodeHasTakenItsContextAway) {
+  const auto host = openHost({40, 30});
+  void* const library = dlopen("libOSMesa.so.8", RTLD_NOW);
+  using MakeCurrent = unsigned char (*)(void*, void*, unsigned, int, int);
+  const auto makeCurrent = reinterpret_cast<MakeCurrent>(dlsym(library, "OSMesaMakeCurrent"));
+  ASSERT_NE(makeCurrent, nullptr);
+  makeCurrent(nullptr, nullptr, 0x1401, 0, 0);  // unsigned bytes
+  EXPECT_TRUE(drawTriangle(*host));
+  makeCurrent(nullptr, nullptr, 0x1401, 0, 0);
+  EXPECT_EQ(host->picture().value(), triangle({40, 30}));
+  dlclose(library);
 }
 
 TEST(OsmesaHost, NothingDrawnIsTransparentBlack) {
