@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace vides {
@@ -24,6 +26,24 @@ struct Match : Cases... {
 };
 template <class... Cases>
 Match(Cases...) -> Match<Cases...>;
+
+// Pixels and steps that no screen and no wheel has.
+constexpr double kFarthestPixel = 1e5;
+constexpr double kMostSteps = 1e3;
+
+// What a window system (or a script) says, bounded; nothing where it says no number.
+std::optional<InputEvent> withinReason(const InputEvent& event) {
+  const auto bounded = [](double value, double most) { return std::clamp(value, -most, most); };
+  if (const auto* moved = std::get_if<PointerMoved>(&event)) {
+    if (std::isnan(moved->x) || std::isnan(moved->y)) return std::nullopt;
+    return PointerMoved{bounded(moved->x, kFarthestPixel), bounded(moved->y, kFarthestPixel)};
+  }
+  if (const auto* wheel = std::get_if<WheelTurned>(&event)) {
+    if (std::isnan(wheel->x) || std::isnan(wheel->y)) return std::nullopt;
+    return WheelTurned{bounded(wheel->x, kMostSteps), bounded(wheel->y, kMostSteps)};
+  }
+  return event;
+}
 
 // Whether the event ends a portion.
 bool apply(ImGuiIO& io, const InputEvent& event,
@@ -95,7 +115,9 @@ void ImguiInput::announce(ImGuiIO& io) {
 }
 
 void ImguiInput::add(const std::vector<InputEvent>& events) {
-  events_.insert(events_.end(), events.begin(), events.end());
+  for (const InputEvent& event : events) {
+    if (auto good = withinReason(event)) events_.push_back(std::move(*good));
+  }
 }
 
 void ImguiInput::feed(ImGuiIO& io, const std::function<bool(const InputEvent&)>& seen,

@@ -14,6 +14,9 @@
 namespace vides {
 namespace {
 
+// Nothing that an editor of flights is told is larger, and what is computed from it stays finite.
+constexpr double kLargestNumber = 1e15;
+
 struct Token {
   std::string text;
   bool quoted = false;
@@ -80,6 +83,7 @@ std::optional<Text> problemWith(const ArgumentSpecification& specification,
       return Text("refusal.expected-number", {name, std::get<std::string>(argument)});
     }
     if (!std::isfinite(*number)) return Text("refusal.expected-number", {name, *number});
+    if (std::abs(*number) > kLargestNumber) return Text("refusal.too-large", {name});
     const bool whole = *number >= 0.0 && *number <= 9e15 && std::trunc(*number) == *number;
     if (specification.kind == ArgumentKind::kIndex && !whole) {
       return Text("refusal.expected-index", {name, *number});

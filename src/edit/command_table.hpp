@@ -17,7 +17,7 @@ namespace vides {
 class Session;
 
 enum class ArgumentKind {
-  kNumber,  // finite
+  kNumber,  // finite, at most 1e15 in size
   kIndex,   // whole, 0 or more
   kText,    // any
   kChoice,  // one of `choices`

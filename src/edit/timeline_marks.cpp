@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/whole.hpp"
+
 namespace vides {
 
 std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const TimelineRange& range) {
@@ -16,7 +18,7 @@ std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const Time
     if (key) place.orientation = 0;
     marks.push_back({place, frame, key});
   };
-  auto frame = static_cast<std::int64_t>(std::max(0.0, std::ceil(range.firstFrame)));
+  std::int64_t frame = wholeWithin(std::ceil(range.firstFrame), 0, evaluation.frameCount());
   while (frame <= last && static_cast<double>(frame) <= right) {
     const auto section = evaluation.sectionAtFrame(frame);
     if (!section) break;
@@ -26,7 +28,7 @@ std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const Time
     if (stands >= frame && section->firstFrame >= frame) {
       add(section->from, stands);
       const double apart = static_cast<double>(stands) + kLeastApart * range.framesPerPixel;
-      next = std::max(next, static_cast<std::int64_t>(std::ceil(apart)));
+      next = std::max(next, wholeWithin(std::ceil(apart), 0, evaluation.frameCount()));
     }
     if (next <= frame) break;  // the last frame of an open flight
     frame = next;
@@ -45,14 +47,14 @@ std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const Time
 std::vector<Section> timelineSections(const Evaluation& evaluation, const TimelineRange& range) {
   std::vector<Section> sections;
   const double right = range.frame(range.pixels);
-  auto frame = static_cast<std::int64_t>(std::max(0.0, std::floor(range.firstFrame)));
+  std::int64_t frame = wholeWithin(std::floor(range.firstFrame), 0, evaluation.frameCount());
   while (frame < evaluation.frameCount() && static_cast<double>(frame) < right) {
     const auto section = evaluation.sectionAtFrame(frame);
     if (!section) break;
     sections.push_back(*section);
     const double apart = static_cast<double>(frame) + kLeastApart * range.framesPerPixel;
     const std::int64_t next = std::max(section->firstFrame + section->frames,
-                                       static_cast<std::int64_t>(std::ceil(apart)));
+                                       wholeWithin(std::ceil(apart), 0, evaluation.frameCount()));
     if (next <= frame) break;  // an open flight's last frame belongs to its last section
     frame = next;
   }
@@ -79,9 +81,8 @@ const TimelineCache::Chunk& TimelineCache::chunk(std::int64_t number) {
 
 std::optional<Section> sectionEndAt(const Evaluation& evaluation, const TimelineRange& range,
                                     double x, double reach) {
-  const double at =
-      std::clamp(std::floor(range.frame(x)), 0.0, static_cast<double>(evaluation.frameCount() - 1));
-  const auto here = evaluation.sectionAtFrame(static_cast<std::int64_t>(at));
+  const auto here = evaluation.sectionAtFrame(
+      wholeWithin(std::floor(range.frame(x)), 0, evaluation.frameCount() - 1));
   if (!here) return std::nullopt;
   const auto away = [&](const Section& section) {
     return std::abs(range.x(static_cast<double>(section.firstFrame + section.frames)) - x);

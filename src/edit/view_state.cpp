@@ -19,6 +19,13 @@ ViewAxes axesOf(const EditorView& view) { return viewProjection(view, PixelRecta
 
 }  // namespace
 
+Vec3 withinReach(Vec3 place) {
+  for (int i = 0; i < 3; ++i) {
+    place[i] = std::isnan(place[i]) ? 0.0 : std::clamp(place[i], -kFarthestPlace, kFarthestPlace);
+  }
+  return place;
+}
+
 std::optional<NamedView> namedView(std::string_view name) {
   if (name == "iso") return NamedView{32.0, 22.0};
   if (name == "front") return NamedView{0.0, 0.0};
@@ -31,6 +38,7 @@ EditorView limited(EditorView view) {
   if (view.turn < -180.0 || view.turn > 180.0) view.turn = std::remainder(view.turn, 360.0);
   view.tilt = std::clamp(view.tilt, -90.0, 90.0);
   view.size = std::clamp(view.size, kMinViewSize, kMaxViewSize);
+  view.target = withinReach(view.target);
   return view;
 }
 
@@ -44,7 +52,7 @@ EditorView turnedTo(const EditorView& view, const Vec3& pivot, double turn, doub
   turned.target = pivot + glm::dot(offset, before.u) * after.u +
                   glm::dot(offset, before.v) * after.v + glm::dot(offset, before.n) * after.n;
   if (view.target == pivot) turned.target = pivot;
-  return turned;
+  return limited(turned);
 }
 
 EditorView turnedAbout(const EditorView& view, const Vec3& pivot, double turnBy, double tiltBy) {
@@ -62,7 +70,7 @@ EditorView panned(const EditorView& view, const PixelRectangle& pixels, const Ve
   EditorView moved = view;
   moved.target -= axes.u * (by.x / (perUnit * axes.u).x);
   moved.target -= axes.v * (by.y / (perUnit * axes.v).y);
-  return moved;
+  return limited(moved);
 }
 
 EditorView sizedTowards(const EditorView& view, const PixelRectangle& pixels, const Vec2& pointer,
@@ -75,7 +83,7 @@ EditorView sizedTowards(const EditorView& view, const PixelRectangle& pixels, co
   const EditorView underPointer = panned(view, pixels, middle - pointer);
   const Vec3 offset = underPointer.target - view.target;
   sized.target = view.target + offset * (1.0 - view.size / sized.size);
-  return sized;
+  return limited(sized);
 }
 
 EditorView framed(const EditorView& view, const Vec3& low, const Vec3& high) {

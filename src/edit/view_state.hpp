@@ -13,6 +13,9 @@ namespace vides {
 
 inline constexpr double kMinViewSize = 0.25;
 inline constexpr double kMaxViewSize = 20.0;
+// Cube coordinates of what is looked at, and from where the camera flies: as far as aims go.
+inline constexpr double kFarthestPlace = 1e6;
+Vec3 withinReach(Vec3 place);
 
 struct ViewState {
   EditorView view;

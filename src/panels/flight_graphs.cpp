@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "math/whole.hpp"
+
 namespace vides {
 namespace {
 
@@ -71,7 +73,8 @@ void FlightGraphs::measurePortion() {
 
 FlightGraphs::Motion FlightGraphs::upTo(double frame) const {
   const double place = frame / static_cast<double>(sumEvery_);
-  const auto before = static_cast<std::size_t>(place);
+  const auto before =
+      static_cast<std::size_t>(wholeWithin(place, 0, static_cast<std::int64_t>(sums_.size())));
   if (before + 1 >= sums_.size()) return sums_.back();
   const Motion &a = sums_[before], &b = sums_[before + 1];
   const double share = place - static_cast<double>(before);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "math/whole.hpp"
 #include "panels/form.hpp"
 
 namespace vides {
@@ -77,7 +78,7 @@ void colourSliders(Ui& ui, Stack& rows, const Session& session, const SettingsMe
             {.weight = Weight::kSemibold, .align = Align::kRight});
     if (!change) continue;
     std::array<int, 3> next = bytes;
-    next[i] = static_cast<int>(std::lround(change->value));
+    next[i] = static_cast<int>(wholeWithin(std::round(change->value), 0, 255));
     actions.run(colourCommand(memory.element, next));
   }
 }

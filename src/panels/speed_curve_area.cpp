@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/whole.hpp"
 #include "panels/quantities.hpp"
 #include "panels/speed_joint.hpp"
 #include "panels/speed_window.hpp"
@@ -68,8 +69,7 @@ void change(SpeedWindowMemory& memory, const SpeedValues& values, Actions& actio
 }
 
 std::size_t nearestHandle(const Plane& plane, float x) {
-  return static_cast<std::size_t>(
-      std::clamp<long>(std::lround(9.0 * plane.tau(x)), 0, kSpeedValues - 1));
+  return static_cast<std::size_t>(wholeWithin(std::round(9.0 * plane.tau(x)), 0, kSpeedValues - 1));
 }
 
 void pointer(Ui& ui, const Plane& plane, const Ui::AreaState& state, const SpeedValues& values,

@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "edit/timeline_marks.hpp"
+#include "math/whole.hpp"
 #include "panels/left_panels.hpp"
 #include "panels/quantities.hpp"
 #include "panels/timeline_readout.hpp"
@@ -22,6 +23,7 @@ namespace {
 constexpr float kLowTimeline = 148.0f;
 constexpr float kShortRow = 560.0f;  // a shorter first row has the legend rather than long labels
 constexpr double kLeastFramesPerPixel = 1.0 / 40.0;
+constexpr std::int64_t kMostMarks = std::int64_t{1} << 40;  // more than any flight has frames
 
 // Frames to pixels and back.
 struct Track {
@@ -35,9 +37,7 @@ struct Track {
   double frame(float px) const {
     return firstFrame + static_cast<double>(px - left) * framesPerPixel;
   }
-  std::int64_t nearest(float px) const {
-    return std::clamp<std::int64_t>(std::llround(frame(px)), 0, frames - 1);
-  }
+  std::int64_t nearest(float px) const { return wholeWithin(std::round(frame(px)), 0, frames - 1); }
   bool sees(float px) const { return px >= left - 1.0f && px <= right + 1.0f; }
 };
 
@@ -82,7 +82,7 @@ void ruler(Ui& ui, const Rect& row, const Track& track, double fps) {
   const double span = static_cast<double>(track.frames) / fps;
   const int parts = inSeconds && std::fmod(step / fps, 5.0) != 0.0 && step / fps != 1.0 ? 2 : 5;
   const double least = step / parts;
-  const auto from = static_cast<std::int64_t>(std::ceil(track.firstFrame / least - 1e-9));
+  const std::int64_t from = wholeWithin(std::ceil(track.firstFrame / least - 1e-9), 0, kMostMarks);
   const double end = std::min(static_cast<double>(track.frames - 1), track.frame(track.right));
   for (std::int64_t i = std::max<std::int64_t>(0, from);
        static_cast<double>(i) * least <= end + 1e-9; ++i) {
@@ -167,7 +167,7 @@ void dragEnd(Ui& ui, const Rect& row, const Track& track, const Session& session
   }
   const auto least = static_cast<std::int64_t>(end.hold ? 0 : 1);
   const double wanted = track.frame(pointer) + end.grip - static_cast<double>(end.firstFrame);
-  const std::int64_t frames = std::max(least, static_cast<std::int64_t>(std::llround(wanted)));
+  const std::int64_t frames = wholeWithin(std::round(wanted), least, kMostMarks);
   if (frames != end.frames) {
     end.frames = frames;
     end.previewed = true;
@@ -182,7 +182,7 @@ void forEachChunk(const Track& track, TimelineView& view,
                   const std::function<void(const TimelineCache::Chunk&)>& tell) {
   const double frames = TimelineCache::kChunkPixels * track.framesPerPixel;
   const auto number = [&](float x) {
-    return static_cast<std::int64_t>(std::floor(std::max(0.0, track.frame(x)) / frames));
+    return wholeWithin(std::floor(track.frame(x) / frames), 0, kMostMarks);
   };
   for (std::int64_t n = number(track.left - 1.0f); n <= number(track.right + 1.0f); ++n) {
     tell(view.cache.chunk(n));
@@ -278,8 +278,8 @@ void strip(Ui& ui, const Rect& row, const Track& track, FlightGraphs& graphs) {
   // scrolled; every other one where several frames share a pixel anyway.
   const float apart = track.framesPerPixel > 4.0 ? 2.0f : 1.0f;
   const double step = static_cast<double>(apart) * track.framesPerPixel;
-  const auto first = static_cast<std::int64_t>(std::floor(track.firstFrame / step));
-  const auto past = static_cast<std::int64_t>(std::ceil(end / step - 1e-6));
+  const std::int64_t first = wholeWithin(std::floor(track.firstFrame / step), 0, kMostMarks);
+  const std::int64_t past = wholeWithin(std::ceil(end / step - 1e-6), 0, kMostMarks);
   if (past - first < 2) return;
   const SpeedStrip& speeds = graphs.strip(first, step, static_cast<int>(past - first));
   const float left = track.x(static_cast<double>(first) * step) + 0.5f * apart;

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 
+#include "math/whole.hpp"
 #include "shaders.hpp"
 
 namespace vides {
@@ -60,7 +61,7 @@ struct Scissor {
 Scissor scissorOf(const ImVec4& clip, const ImDrawData& data, int width, int height) {
   const auto pixel = [](float value, float origin, float scale, int limit) {
     const float pixels = std::round((value - origin) * scale);
-    return static_cast<int>(std::clamp(pixels, 0.0f, static_cast<float>(limit)));
+    return static_cast<int>(wholeWithin(static_cast<double>(pixels), 0, limit));
   };
   const ImVec2 origin = data.DisplayPos;
   const ImVec2 scale = data.FramebufferScale;

@@ -8,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "math/whole.hpp"
 #include "render/gl_objects.hpp"
 #include "render/scene_buffers.hpp"
 #include "shaders.hpp"
@@ -51,7 +52,7 @@ glm::vec4 placed(const glm::dvec4& plane, const Placement& place) {
 // The pixels whose middles lie in the rectangle.
 PixelBox pixelBox(const PixelRectangle& r, int width, int height) {
   const auto clamped = [](double value, int most) {
-    return static_cast<GLint>(std::clamp(std::round(value), 0.0, static_cast<double>(most)));
+    return static_cast<GLint>(wholeWithin(std::round(value), 0, most));
   };
   const GLint left = clamped(r.x, width), right = clamped(r.x + r.width, width);
   const GLint top = clamped(r.y, height), bottom = clamped(r.y + r.height, height);

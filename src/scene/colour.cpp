@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/whole.hpp"
+
 namespace vides {
 namespace {
 
 std::uint8_t mixed(std::uint8_t a, std::uint8_t b, double share) {
-  return static_cast<std::uint8_t>(std::lround(a + (b - a) * share));
+  return static_cast<std::uint8_t>(wholeWithin(std::round(a + (b - a) * share), 0, 255));
 }
 
 // WCAG 2.1, "relative luminance", with the threshold of sRGB's own standard.

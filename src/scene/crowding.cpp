@@ -6,6 +6,8 @@
 #include <bit>
 #include <cmath>
 
+#include "math/whole.hpp"
+
 namespace vides {
 namespace {
 
@@ -17,6 +19,7 @@ constexpr double kFull = 1.85;
 // They have gone completely where it is so much fuller still.
 constexpr double kGone = 1.35;
 constexpr double kLeastShare = 0.3;
+constexpr std::int64_t kMostCells = 1 << 14;  // in a row
 
 // Weights are whole multiples of a power of two, so that sums of their products are exact: what
 // was added can be taken away again.
@@ -38,8 +41,8 @@ void Crowding::begin(const PixelRectangle& area, double cell) {
   area_ = area;
   perCell_ = 1.0 / cell;
   // Two cells more on each side: a sign outside may reach into the area.
-  columns_ = static_cast<std::size_t>(area.width * perCell_) + 5;
-  rows_ = static_cast<std::size_t>(area.height * perCell_) + 5;
+  columns_ = static_cast<std::size_t>(wholeWithin(area.width * perCell_, 0, kMostCells)) + 5;
+  rows_ = static_cast<std::size_t>(wholeWithin(area.height * perCell_, 0, kMostCells)) + 5;
   cells_.assign(columns_ * rows_, 0.0);
   changed_.assign(columns_ * rows_, 0);
   allChanged_ = true;

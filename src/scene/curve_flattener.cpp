@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "math/whole.hpp"
+
 namespace vides {
 namespace {
 
@@ -57,7 +59,7 @@ class Scale {
 
  private:
   static int levelOf(double pixels) {
-    return static_cast<int>(std::ceil(std::log2(std::clamp(pixels, 1e-3, 1e9))));
+    return static_cast<int>(wholeWithin(std::ceil(std::log2(pixels)), -10, 30));
   }
 
   const ViewProjection& view_;
@@ -71,7 +73,7 @@ int partsOf(const CubicSegment& q, int level) {
   const double bend =
       std::max(glm::length(q.secondDerivative(0.0)), glm::length(q.secondDerivative(1.0)));
   const double parts = std::ceil(std::sqrt(std::ldexp(bend, level) / (8.0 * kFlatteningError)));
-  return static_cast<int>(std::clamp(parts, 1.0, double{kMostParts}));
+  return static_cast<int>(wholeWithin(parts, 1, kMostParts));
 }
 
 // Collects short pieces for as long as one chord is as good as they are.

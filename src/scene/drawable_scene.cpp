@@ -10,6 +10,7 @@
 #include <random>
 #include <span>
 
+#include "math/whole.hpp"
 #include "scene/curve_flattener.hpp"
 
 namespace vides {
@@ -206,9 +207,9 @@ struct Limits {
 };
 Limits limitsOf(const ViewProjection& view) {
   const double area = view.pixels().width * view.pixels().height;
-  constexpr double kAll = kAlwaysWhole, kMost = kMostSceneElements;
-  return {static_cast<std::size_t>(std::clamp(area / 3.0, kAll, kMost)),
-          static_cast<std::size_t>(std::clamp(area / 10.0, kAll / 4.0, kMost / 2.0))};
+  constexpr std::int64_t kAll = kAlwaysWhole, kMost = kMostSceneElements;
+  return {static_cast<std::size_t>(wholeWithin(area / 3.0, kAll, kMost)),
+          static_cast<std::size_t>(wholeWithin(area / 10.0, kAll / 4, kMost / 2))};
 }
 
 struct SeenTile {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/whole.hpp"
+
 namespace vides {
 namespace {
 
@@ -19,8 +21,8 @@ constexpr int kMostCells = 1 << 20;
 
 LabelPlacer::LabelPlacer(const PixelRectangle& area, double cell) : area_(area), cell_(cell) {
   while (area.width / cell_ * (area.height / cell_) > kMostCells) cell_ *= 2.0;
-  columns_ = static_cast<int>(std::ceil(area.width / cell_));
-  rows_ = static_cast<int>(std::ceil(area.height / cell_));
+  columns_ = static_cast<int>(wholeWithin(std::ceil(area.width / cell_), 0, kMostCells));
+  rows_ = static_cast<int>(wholeWithin(std::ceil(area.height / cell_), 0, kMostCells));
   covered_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
 }
 
@@ -61,7 +63,8 @@ void LabelPlacer::blockLine(const Vec2& from, const Vec2& to, std::uint8_t weigh
     end = std::min(end, std::max(a, b));
   }
   if (!(begin <= end)) return;
-  const int steps = 1 + static_cast<int>(glm::length(way) * (end - begin) / cell_);
+  const double length = glm::length(way) * (end - begin) / cell_;
+  const auto steps = static_cast<int>(1 + wholeWithin(length, 0, columns_ + rows_));
   for (int i = 0; i <= steps; ++i) {
     const Vec2 p = from + (begin + (end - begin) * i / steps) * way;
     const int x = cellOf(p.x, area_.x, columns_), y = cellOf(p.y, area_.y, rows_);
@@ -72,10 +75,10 @@ void LabelPlacer::blockLine(const Vec2& from, const Vec2& to, std::uint8_t weigh
 }
 
 int LabelPlacer::cost(const Vec2& low, const Vec2& high) const {
-  if (low.x < area_.x || low.y < area_.y || high.x > area_.x + area_.width ||
-      high.y > area_.y + area_.height) {
-    return kOutside;
-  }
+  // A place that is no number is nowhere, too.
+  const bool inside = low.x >= area_.x && low.y >= area_.y && high.x <= area_.x + area_.width &&
+                      high.y <= area_.y + area_.height;
+  if (!inside) return kOutside;
   const Cells c = cellsOf(low, high);
   int sum = 0;
   for (int y = c.top; y <= std::min(c.bottom, rows_ - 1); ++y) {
