@@ -98,13 +98,6 @@ void writeJson(const Evaluation& evaluation, Output& output) {
 
 // --- for people ----------------------------------------------------------------------------------
 
-// Control characters would play tricks with the terminal.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  return text;
-}
-
 std::string placeText(const OrientationPlace& place) {
   return fmt::format("{}.{}", place.key, place.orientation);
 }

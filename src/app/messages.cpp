@@ -6,11 +6,13 @@
 
 #include <string>
 
+#include "flight/printable.hpp"
+
 namespace vides {
 
 void tell(std::string_view message) {
   std::string line = "vides: ";
-  (line += message) += '\n';
+  (line += printable(message)) += '\n';
   // Where standard error can't be written, there is nobody left to tell.
   [[maybe_unused]] const auto ignored = write(STDERR_FILENO, line.data(), line.size());
 }

@@ -6,7 +6,7 @@
 
 namespace vides {
 
-// "vides: MESSAGE" and a line end.
+// "vides: MESSAGE" and a line end. One line, whatever names it has (flight/printable.hpp).
 void tell(std::string_view message);
 
 }  // namespace vides

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "edit/encoded_path.hpp"
 #include "flight/limits.hpp"
 #include "io/json_reader.hpp"
 #include "io/read_file.hpp"
@@ -23,54 +24,13 @@ namespace {
 namespace fs = std::filesystem;
 
 // The document's path stands in the flight itself, in a member that readers keep and don't
-// understand: so the file is written at once or not at all. A path is any bytes: what isn't plain
-// is written as %XX.
+// understand: so the file is written at once or not at all. A path is any bytes: it is encoded.
 constexpr std::string_view kPathMember = "x_vides_unsaved_path";
-
-std::string encoded(const std::string& path) {
-  std::string out;
-  for (const char c : path) {
-    const bool plain = c > ' ' && c < 0x7f && c != '"' && c != '\\' && c != '%';
-    if (plain) {
-      out += c;
-    } else {
-      out += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    }
-  }
-  return out;
-}
-
-// The number of a digit of sixteen; nothing for other characters.
-std::optional<unsigned> hexDigit(char c) {
-  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
-  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A') + 10;
-  return std::nullopt;
-}
-
-// Nothing where encoded() can't have written it.
-std::optional<std::string> decoded(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    char c = text[i];
-    if (c == '%') {
-      if (i + 2 >= text.size()) return std::nullopt;
-      const auto high = hexDigit(text[i + 1]), low = hexDigit(text[i + 2]);
-      if (!high || !low) return std::nullopt;
-      c = static_cast<char>(*high * 16 + *low);
-      i += 2;
-    } else if (c == '"' || c == '\\') {
-      return std::nullopt;
-    }
-    if (c == '\0') return std::nullopt;
-    out += c;
-  }
-  return out;
-}
 
 // What the member's JSON text says; empty where it isn't a path.
 std::string pathIn(std::string_view json) {
   if (json.size() < 2 || json.front() != '"') return {};
-  return decoded(json.substr(1, json.size() - 2)).value_or("");
+  return decodedPath(json.substr(1, json.size() - 2)).value_or("");
 }
 
 // Names are kept as JSON text; by hand they may be written with escapes.
@@ -102,7 +62,7 @@ Flight withUnsavedPath(Flight flight, const std::string& path) {
   ExtraMembers members;
   if (flight.extras.flight) members = *flight.extras.flight;
   std::erase_if(members, isPath);  // where the flight was itself opened from such a file
-  members.emplace_back(fmt::format("\"{}\"", kPathMember), '"' + encoded(path) + '"');
+  members.emplace_back(fmt::format("\"{}\"", kPathMember), '"' + encodedPath(path) + '"');
   flight.extras.flight = std::make_shared<const ExtraMembers>(std::move(members));
   return flight;
 }
@@ -171,7 +131,7 @@ void RecoveryFile::remove() {
 std::optional<UnsavedWork> RecoveryFile::read() const {
   if (file_.empty()) return std::nullopt;
   const std::int64_t time = writtenAt(file_);
-  const auto text = readFile(file_.string(), limits::kFileSize);
+  const auto text = readRegularFile(file_.string(), limits::kFileSize);
   auto work = text ? readUnsavedWork(*text) : std::nullopt;
   if (work) work->time = time;
   return work;

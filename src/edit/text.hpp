@@ -21,8 +21,9 @@ namespace vides {
 
 struct Text;
 
-// A part of a text. Numbers with a decimal point are shown with three decimals, without trailing
-// zeros where they are whole in the table's placeholder `{0:g}`.
+// A part of a text, which the table's words have as `{0}` (the first part), `{1}`, … Doubles are
+// shown with at most three decimals, without trailing zeros; with just two in `{0:2}`, and so on.
+// Words are shown as flight/printable.hpp has them.
 class TextPart {
  public:
   TextPart(std::string words) : value_(std::move(words)) {}  // NOLINT: stands for its value

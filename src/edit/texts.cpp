@@ -7,6 +7,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "flight/printable.hpp"
 #include "translations.hpp"
 
 namespace vides {
@@ -95,7 +96,8 @@ std::string Texts::part(const TextPart& part, int decimals) const {
   struct Shown {
     const Texts& texts;
     int decimals;
-    std::string operator()(const std::string& words) const { return words; }
+    // Words may be a file's name: one line of what a screen can show.
+    std::string operator()(const std::string& words) const { return printable(words); }
     std::string operator()(std::int64_t number) const {
       return texts.number(static_cast<double>(number), 0);
     }

@@ -23,6 +23,16 @@ std::size_t utf8Length(std::string_view text) {
   return length;
 }
 
+char32_t codePoint(std::string_view one) {
+  const auto byte = [&](std::size_t k) {
+    return static_cast<char32_t>(static_cast<unsigned char>(one[k]));
+  };
+  constexpr char32_t kFirst[] = {0x7F, 0x1F, 0x0F, 0x07};  // bits of the first byte
+  char32_t result = byte(0) & kFirst[one.size() - 1];
+  for (std::size_t k = 1; k < one.size(); ++k) result = result << 6 | (byte(k) & 0x3F);
+  return result;
+}
+
 std::optional<std::size_t> codePoints(std::string_view text) {
   std::size_t count = 0;
   while (!text.empty()) {

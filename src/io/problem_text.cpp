@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "flight/limits.hpp"
+#include "flight/printable.hpp"
 #include "flight/utf8.hpp"
 
 namespace vides {
@@ -75,7 +76,7 @@ constexpr Words kEnglishWords = {
     .object = "an object",
     .array = "an array",
     .string = "a string of at most {0} characters",
-    .path = "the path of a file",
+    .path = "the path of a file, in UTF-8",
     .boolean = "true or false",
     .integer = "an integer{0}",
     .number = "a number{0}",
@@ -121,7 +122,7 @@ constexpr Words kGermanWords = {
     .object = "ein Objekt",
     .array = "eine Liste",
     .string = "ein Text von höchstens {0} Zeichen",
-    .path = "der Pfad einer Datei",
+    .path = "der Pfad einer Datei, in UTF-8",
     .boolean = "true oder false",
     .integer = "eine ganze Zahl{0}",
     .number = "eine Zahl{0}",
@@ -270,14 +271,14 @@ std::string message(const Problem& p, const Words& words) {
 }
 
 // A line stays a line, and a terminal a terminal, whatever a file holds: control characters (C0,
-// DEL, C1) become escapes, bytes that aren't UTF-8 question marks.
-std::string printable(std::string_view text) {
+// DEL, C1) become escapes, as they are written in JSON, and so do bytes that aren't UTF-8.
+std::string escaped(std::string_view text) {
   std::string out;
   while (!text.empty()) {
     const std::size_t length = utf8Length(text);
     const auto first = static_cast<unsigned char>(text.front());
     if (length == 0) {
-      out += '?';
+      fmt::format_to(std::back_inserter(out), "\\x{:02X}", static_cast<unsigned>(first));
     } else if (first < 0x20 || first == 0x7F) {
       fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(first));
     } else if (first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0) {
@@ -294,15 +295,15 @@ std::string printable(std::string_view text) {
 }  // namespace
 
 std::string problemText(const Problem& problem, Language language) {
-  return printable(message(problem, wordsOf(language)));
+  return escaped(message(problem, wordsOf(language)));
 }
 
 std::string problemLine(std::string_view file, const Problem& problem, Language language) {
-  std::string line(file);
+  std::string line = printable(file);
   if (problem.line > 0) {
     line += fmt::format(":{}:{}", problem.line, problem.column);
   } else if (!problem.pointer.empty()) {
-    (line += ": ") += printable(problem.pointer);
+    (line += ": ") += escaped(problem.pointer);
   }
   return (line += ": ") += problemText(problem, language);
 }

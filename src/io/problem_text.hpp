@@ -17,7 +17,7 @@ enum class Language { kEnglish, kGerman };
 std::string problemText(const Problem& problem, Language language = Language::kEnglish);
 
 // FILE: POINTER: MESSAGE, of syntax errors FILE:LINE:COLUMN: MESSAGE, and FILE: MESSAGE for what
-// concerns the file as a whole.
+// concerns the file as a whole. One line, whatever the file's name (flight/printable.hpp).
 std::string problemLine(std::string_view file, const Problem& problem,
                         Language language = Language::kEnglish);
 

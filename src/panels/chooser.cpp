@@ -10,7 +10,10 @@
 #include <cstring>
 #include <system_error>
 
+#include "flight/printable.hpp"
+
 #include "panels/chooser_list.hpp"
+#include "panels/file_names.hpp"
 #include "panels/window_frame.hpp"
 
 namespace vides {
@@ -82,7 +85,7 @@ std::string filterOf(const Kind& kind) {
 void enter(ChooserMemory& memory, const fs::path& folder) {
   const auto read = readFolder(folder, memory.filter, memory.order);
   if (!read) {
-    memory.trouble = folder.string() + ": " + read.error();
+    memory.trouble = printable(folder.string()) + ": " + read.error();
     return;
   }
   memory.trouble.clear();
@@ -100,6 +103,8 @@ void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::str
   fs::path folder = memory.folder;
   if (!session.path().empty()) folder = fs::absolute(session.path(), error).parent_path();
   if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
+  if (folder.empty()) folder = homeFolder();  // the working directory is gone
+  if (folder.empty()) folder = "/";
   const FolderOrder order = memory.order;
   memory = ChooserMemory();
   memory.window = window;
@@ -128,7 +133,7 @@ void createFolder(ChooserMemory& memory) {
   const fs::path folder = typedPath(memory.folder, memory.name);
   fs::create_directory(folder, error);
   if (error) {
-    memory.trouble = folder.string() + ": " + error.message();
+    memory.trouble = printable(folder.string()) + ": " + error.message();
     return;
   }
   memory.mode = Mode::kChoose;
@@ -141,13 +146,14 @@ void accept(Ui& ui, ChooserMemory& memory, Actions& actions) {
   memory.before = {};
   if (memory.mode == Mode::kOverwrite) return choose(memory, memory.overwrites, actions);
   if (memory.mode == Mode::kNameFolder) return createFolder(memory);
+  fs::path file = typedPath(memory.folder, memory.name);
   if (memory.selected >= 0) {
     const FolderEntry& entry = memory.entries[static_cast<std::size_t>(memory.selected)];
     if (entry.folder) return enter(memory, memory.folder / entry.name);
+    file = memory.folder / entry.name;  // what is chosen means itself, also "~"
   }
   if (memory.name.empty()) return;
   std::error_code error;
-  fs::path file = typedPath(memory.folder, memory.name);
   if (fs::is_directory(file, error)) return enter(memory, file);
   const std::string_view ending = kindOf(memory).endings.front();
   if (saves(memory)) {
@@ -269,13 +275,13 @@ void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
   ui.edge(box);
   ui.entry("chooser/name", box, label, memory.name);
   if (!takesText || memory.mode == Mode::kOverwrite) {
-    ui.text({box.x + ui.px(6), box.y, box.width - ui.px(12), box.height}, memory.name,
-            {.mayShorten = true});
+    ui.text({box.x + ui.px(6), box.y, box.width - ui.px(12), box.height},
+            shownName(ui, memory.name), {.mayShorten = true});
     return;
   }
   std::array<char, 4096> buffer{};
   WideCharacters& wide = ui.memory().wide;
-  wide.folded(memory.name).copy(buffer.data(), buffer.size() - 1);
+  wide.foldedName(memory.name).copy(buffer.data(), buffer.size() - 1);
   const float vertical = std::floor((box.height - ui.font(Weight::kRegular)->FontSize) / 2.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), vertical));
   ImGui::SetCursorScreenPos({box.x, box.y});

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "panels/file_names.hpp"
+
 namespace vides {
 namespace {
 
@@ -85,7 +87,7 @@ std::string dateOf(const Ui& ui, std::time_t time) {
 
 void drawEntry(Ui& ui, const Rect& row, const FolderEntry& entry, bool on) {
   const Columns columns = columnsOf(ui, row);
-  ui.text(columns.name, entry.name,
+  ui.text(columns.name, shownName(ui, entry.name),
           {.weight = on ? Weight::kSemibold : Weight::kRegular, .mayShorten = true});
   const TextStyle quiet{.colour = on ? ColourRole::kText : ColourRole::kTextSecondary,
                         .align = Align::kRight};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/file_names.hpp"
 #include "panels/windows.hpp"
 
 namespace vides {
@@ -94,9 +95,7 @@ void recentFiles(Ui& ui, const Session& session, Actions& actions) {
   if (!open) return;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string id = "menu/file/recent_" + std::to_string(i);
-    if (ImGui::MenuItem((files[i] + "###" + id).c_str())) {
-      actions.run(Command("open", files[i]));
-    }
+    if (nameEntry(ui, id, files[i])) actions.run(Command("open", files[i]));
     ui.note(id, files[i], WidgetKind::kMenuItem, true);
   }
   ImGui::EndMenu();

@@ -28,14 +28,19 @@ bool isPrivate(char32_t character) { return character >= 0xE000 && character <= 
 
 }  // namespace
 
-std::string WideCharacters::folded(std::string_view text) {
+std::string WideCharacters::folded(std::string_view text) { return folded(text, false); }
+std::string WideCharacters::foldedName(std::string_view text) { return folded(text, true); }
+
+std::string WideCharacters::folded(std::string_view text, bool controls) {
   std::string result;
   while (!text.empty()) {
     const std::size_t length = utf8Length(text);
     const std::string_view one = text.substr(0, std::max<std::size_t>(1, length));
     text.remove_prefix(one.size());
     const char32_t character = threeBytes(one);
-    const bool plain = length > 0 && length < 4 && !standsIn(character) && !isPrivate(character);
+    const bool control = controls && length == 1 && (one[0] < ' ' || one[0] == 0x7F);
+    const bool plain =
+        length > 0 && length < 4 && !control && !standsIn(character) && !isPrivate(character);
     if (plain) {
       result += one;
       continue;

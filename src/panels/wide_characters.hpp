@@ -23,6 +23,8 @@ class WideCharacters {
   // The text as Dear ImGui takes it. The same character always gets the same stand-in; what finds
   // none left (`room()` is 0) becomes U+FFFD.
   std::string folded(std::string_view text);
+  // The same with stand-ins for control characters, too, which names of files may have.
+  std::string foldedName(std::string_view text);
   // What it stands for.
   std::string unfolded(std::string_view text) const;
   std::size_t room() const { return kLast - kFirst + 1 - kept_.size(); }
@@ -30,6 +32,7 @@ class WideCharacters {
   void clear();
 
  private:
+  std::string folded(std::string_view text, bool controls);
   std::vector<std::string> kept_;  // what stand-in number i stands for
   std::unordered_map<std::string, std::size_t> numbers_;
 };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "flight/printable.hpp"
+#include "panels/file_names.hpp"
 #include "panels/ui.hpp"
 
 namespace vides {
@@ -259,7 +261,7 @@ void Ui::startTyping(std::string_view id, std::string words) {
 std::optional<std::string> Ui::textEditor(std::string_view id, const Rect& rect, bool& ended) {
   UiMemory& memory = setting_.memory;
   char buffer[kMostTyped] = {};
-  memory.wide.folded(memory.buffer).copy(buffer, kMostTyped - 1);
+  memory.wide.foldedName(memory.buffer).copy(buffer, kMostTyped - 1);
   ImFont* used = font(Weight::kRegular);
   const float vertical = std::floor((rect.height - used->FontSize) / 2.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), vertical));
@@ -373,11 +375,12 @@ std::optional<std::string> Ui::textField(std::string_view id, const Rect& rect,
   }
   const float inset = px(6);
   const Rect room{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
-  std::string shownText(value);
+  const std::string whole = path ? shownName(*this, value) : printable(value);
+  std::string shownText = whole;
   for (std::size_t slash = 0; path && textWidth(shownText) > room.width;) {
-    slash = value.find('/', slash + 1);
-    if (slash == std::string_view::npos) break;
-    shownText = "\u2026" + std::string(value.substr(slash));
+    slash = whole.find('/', slash + 1);
+    if (slash == std::string::npos) break;
+    shownText = "\u2026" + whole.substr(slash);
   }
   text(room, shownText, {.mayShorten = true});
   tooltip(id, rect, {.hovered = hovered, .held = false, .pressed = false}, {});

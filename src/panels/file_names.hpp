@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Names of files on the screen.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "panels/ui.hpp"
+
+namespace vides {
+
+// A name (or a path) told from every other: what the fonts have no sign for is written in escapes
+// (flight/printable.hpp).
+std::string shownName(const Ui& ui, std::string_view name);
+
+// The same where a label of Dear ImGui's would end at "##": an entry of the menu that is open, with
+// the identifier; true where it is chosen.
+bool nameEntry(Ui& ui, std::string_view id, std::string_view name);
+
+}  // namespace vides
