@@ -70,14 +70,9 @@ void SceneStore::setFiles(const std::vector<fs::path>& files, std::int64_t docum
   const auto isUnused = [&](const Known& known) {
     return known.reading.use_count() <= 1 && std::ranges::find(files_, known.file) == files_.end();
   };
-  std::erase_if(leaving_, [](const SharedReading& reading) { return reading->ended(); });
-  std::erase_if(known_, [&](Known& known) {
-    if (!isUnused(known)) return false;
-    if (!known.reading || hasFailed(known.reading)) return true;
-    if (known.reading->ended()) return false;
-    known.reading->cancel();
-    leaving_.push_back(std::move(known.reading));
-    return true;
+  std::erase_if(known_, [&](const Known& known) {
+    const bool read = known.reading && known.reading->ended() && !hasFailed(known.reading);
+    return isUnused(known) && !read;
   });
   auto unused = static_cast<std::size_t>(std::ranges::count_if(known_, isUnused));
   std::erase_if(known_, [&](const Known& known) {

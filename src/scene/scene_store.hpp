@@ -52,8 +52,6 @@ class SceneStore {
 
   bool waits_;
   std::vector<Known> known_;  // least recently used first
-  // Cancelled and not ended yet: to let one go waits for its end.
-  std::vector<SharedReading> leaving_;
   std::vector<std::filesystem::path> files_;
   std::int64_t document_ = -1;
   std::vector<SharedReading> refused_;
