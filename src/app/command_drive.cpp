@@ -13,6 +13,7 @@
 #include "app/offscreen_editor.hpp"
 #include "app/output.hpp"
 #include "flight/limits.hpp"
+#include "flight/printable.hpp"
 #include "io/read_file.hpp"
 
 namespace vides {
@@ -20,7 +21,9 @@ namespace {
 
 // Everything that is wrong with a setup is told.
 bool useSetup(Session& session, const std::string& path) {
-  const ReadSetup setup = readSetupFile(path);
+  const auto text = readFile(path, kSetupBytes);
+  const ReadSetup setup =
+      text ? readSetup(*text) : ReadSetup(tl::unexpected(std::vector<Problem>{text.error()}));
   if (setup) {
     session.setSetup(*setup);
     return true;
@@ -68,7 +71,7 @@ int runDrive(const DriveCommand& command) {
   bool written = output.finish();
   if (command.operated) written = writeOperated(player, *command.operated) && written;
   if (!done) {
-    std::cerr << done.error() << '\n';
+    std::cerr << printable(done.error()) << '\n';
     return kFailed;
   }
   return written ? kExitDone : kFailed;

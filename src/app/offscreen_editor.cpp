@@ -2,10 +2,14 @@
 // The editor without a screen for the commands of the command line.
 #include "app/offscreen_editor.hpp"
 
+#include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "app/flight_input.hpp"
 #include "app/messages.hpp"
+#include "edit/session_actions.hpp"
+#include "io/problem_text.hpp"
 
 namespace vides {
 
@@ -28,16 +32,18 @@ std::optional<OffscreenEditor> openOffscreenEditor(const std::string& kind, Pixe
 }
 
 bool openFlightArgument(Editor& editor, const std::string& flight) {
-  // Read here first: the editor would tell only the first thing that is wrong.
-  auto read = readFlightOrTell(flight);
-  if (!read) return false;
-  if (flight == "-") {
-    editor.session().recover(std::move(*read), "");
-    return true;
+  // What comes through a pipe comes once, and belongs to no file.
+  std::error_code unknown;
+  const auto status = std::filesystem::status(flight, unknown);
+  if (flight == "-" || std::filesystem::is_fifo(status)) {
+    auto read = readFlightOrTell(flight);
+    if (read) editor.session().recover(std::move(*read), "");
+    return read.has_value();
   }
-  if (editor.run(Command("open", flight))) return true;
-  tell(editor.words(editor.session().output().text));
-  return false;
+  // The editor's command would tell only the first thing that is wrong.
+  const std::vector<Problem> problems = SessionActions::readFlight(editor.session(), flight);
+  for (const Problem& problem : problems) tell(problemLine(flight, problem));
+  return problems.empty();
 }
 
 }  // namespace vides

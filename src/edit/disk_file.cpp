@@ -8,8 +8,6 @@
 #include <string_view>
 
 #include "flight/limits.hpp"
-#include "flight/validation.hpp"
-#include "io/atomic_file.hpp"
 #include "io/read_file.hpp"
 #include "io/vid_reader.hpp"
 #include "io/vid_writer.hpp"
@@ -26,14 +24,28 @@ std::uint64_t hashed(std::uint64_t hash, std::string_view text) {
   return hash;
 }
 
-// Where a path leads, as far as it exists; never throws.
-fs::path resolved(const fs::path& path) {
-  std::error_code error;
-  const fs::path whole = fs::weakly_canonical(fs::absolute(path, error), error);
-  return error ? path.lexically_normal() : whole;
+// What would have to wait for somebody who reads.
+bool isPipe(const std::string& path) {
+  struct stat s {};
+  return ::stat(path.c_str(), &s) == 0 && (S_ISFIFO(s.st_mode) || S_ISSOCK(s.st_mode));
+}
+
+Problem notAFile() {
+  Problem problem;
+  problem.code = ProblemCode::kUnwritable;
+  problem.found = "Not a regular file";
+  return problem;
 }
 
 }  // namespace
+
+fs::path resolvedPath(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  if (error) return path.lexically_normal();
+  fs::path whole = fs::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : whole;
+}
 
 std::optional<DiskFile::Stamp> DiskFile::stampOf(const std::string& path) {
   struct stat s {};
@@ -44,26 +56,22 @@ std::optional<DiskFile::Stamp> DiskFile::stampOf(const std::string& path) {
 tl::expected<Flight, std::vector<Problem>> DiskFile::open(const std::string& path) {
   // Before it is read: a change that comes between is noticed later.
   const std::optional<Stamp> stamp = stampOf(path);
-  auto text = readFile(path, limits::kFileSize);
+  auto text = readRegularFile(path, limits::kFileSize);
   if (!text) return tl::unexpected(std::vector<Problem>{text.error()});
   auto flight = readVid(*text);
   if (!flight) return tl::unexpected(flight.error());
-  path_ = resolved(path).string();
+  path_ = resolvedPath(path).string();
   stamp_ = stamp;
   hash_ = hashed(kHashStart, *text);
   return std::move(*flight);
 }
 
 std::optional<Problem> DiskFile::save(const Flight& flight, const std::string& path) {
-  if (auto problems = validate(flight); !problems.empty()) return std::move(problems.front());
-  AtomicFile file(path);
+  if (isPipe(path)) return notAFile();
   std::uint64_t hash = kHashStart;
-  writeVid(flight, [&](std::string_view text) {
-    hash = hashed(hash, text);
-    return file.write(text);
-  });
-  if (const auto done = file.commit(); !done) return problemOf(done.error());
-  path_ = resolved(path).string();
+  const auto seen = [&](std::string_view text) { hash = hashed(hash, text); };
+  if (auto problem = saveVid(flight, path, seen)) return problem;
+  path_ = resolvedPath(path).string();
   stamp_ = stampOf(path);
   hash_ = hash;
   return std::nullopt;
@@ -74,7 +82,7 @@ DiskState DiskFile::compare() {
   const std::optional<Stamp> stamp = stampOf(path_);
   if (!stamp) return DiskState::kDeleted;
   if (stamp == stamp_) return DiskState::kSame;
-  const auto text = readFile(path_, limits::kFileSize);
+  const auto text = readRegularFile(path_, limits::kFileSize);
   if (!text || hashed(kHashStart, *text) != hash_) return DiskState::kChanged;
   stamp_ = stamp;
   return DiskState::kSame;
@@ -87,9 +95,9 @@ std::string scenePath(const std::string& flightPath, const std::string& file) {
 }
 
 void moveScenePaths(Flight& flight, const std::string& from, const std::string& to) {
-  const fs::path folder = to.empty() ? fs::path() : resolved(fs::path(to)).parent_path();
+  const fs::path folder = to.empty() ? fs::path() : resolvedPath(fs::path(to)).parent_path();
   for (SceneFile& scene : flight.scene) {
-    const fs::path file = resolved(scenePath(from, scene.file));
+    const fs::path file = resolvedPath(scenePath(from, scene.file));
     if (folder.empty()) {
       scene.file = file.generic_string();
       continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,10 @@
 #include "flight/problem.hpp"
 
 namespace vides {
+
+// Where a path leads, as far as it exists: whole, without symbolic links, "." and "..". A relative
+// one stays so where the working directory is gone. Refuses nothing, not even an empty path.
+std::filesystem::path resolvedPath(const std::filesystem::path& path);
 
 enum class DiskState { kSame, kChanged, kDeleted };
 

@@ -3,8 +3,10 @@
 #include "edit/frame_job.hpp"
 
 #include <cerrno>
+#include <exception>
 #include <new>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace vides {
@@ -13,8 +15,13 @@ FrameJob::FrameJob(Evaluation evaluation, const FrameOptions& options, std::stri
     : evaluation_(std::move(evaluation)),
       options_(options),
       file_(std::move(file)),
-      frames_(frameCountOf(options, evaluation_.frameCount())),
-      thread_([this] { work(); }) {}
+      frames_(frameCountOf(options, evaluation_.frameCount())) {
+  try {
+    thread_ = std::thread([this] { work(); });
+  } catch (const std::system_error& error) {
+    finish(End::kFailed, FileError{error.code().value(), file_});
+  }
+}
 
 FrameJob::~FrameJob() {
   cancel();
@@ -22,17 +29,23 @@ FrameJob::~FrameJob() {
 }
 
 void FrameJob::work() {
+  try {
+    write();
+  } catch (const std::bad_alloc&) {
+    finish(End::kFailed, FileError{ENOMEM, file_});
+  } catch (const std::exception&) {
+    finish(End::kFailed, FileError{EIO, file_});
+  }
+}
+
+void FrameJob::write() {
   AtomicFile file(file_);
   const auto progress = [&](std::int64_t done, std::int64_t all) {
     share_ = static_cast<double>(done) / static_cast<double>(all);
     return !cancelled_;
   };
-  try {
-    writeFrames(
-        evaluation_, options_, [&](std::string_view piece) { return file.write(piece); }, progress);
-  } catch (const std::bad_alloc&) {
-    return finish(End::kFailed, FileError{ENOMEM, file_});
-  }
+  writeFrames(
+      evaluation_, options_, [&](std::string_view piece) { return file.write(piece); }, progress);
   if (cancelled_) {
     file.discard();
     return finish(End::kCancelled, std::nullopt);

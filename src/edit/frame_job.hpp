@@ -23,7 +23,7 @@ class FrameJob {
  public:
   enum class End { kWritten, kCancelled, kFailed };
 
-  // Begins at once.
+  // Begins at once. Where the system has no thread left it has failed at once.
   FrameJob(Evaluation evaluation, const FrameOptions& options, std::string file);
   // Cancels what isn't done and waits for it.
   ~FrameJob();
@@ -46,6 +46,7 @@ class FrameJob {
 
  private:
   void work();
+  void write();
   void finish(End end, std::optional<FileError> error);
 
   const Evaluation evaluation_;

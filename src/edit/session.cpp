@@ -56,7 +56,8 @@ void Session::reset(Flight flight) {
   frameOutput_.options = {.format = frameOutput_.options.format,
                           .space = frameOutput_.options.space};
   frameOutput_.file.clear();
-  framesAgreed_.clear();
+  framesWritten_.clear();
+  dialogue_.reset();  // it was about the flight before
   for (const Import& import : imports_) import.reading->cancel();
   imports_.clear();
   ++document_;
@@ -97,7 +98,6 @@ bool Session::execute(std::string_view line) {
 bool Session::execute(const Command& command) {
   if (auto checked = checkArguments(command); !checked) return refuse(checked.error());
   if (auto why = obstacle(command)) return refuse(std::move(*why));
-  if (inWindow() && findCommand(command.name)->exclusive) interruptWindow();
   const auto done = run(command);
   if (!gesture_) endGesture();
   if (done) {
@@ -117,7 +117,7 @@ bool Session::available(std::string_view name) const {
 std::optional<Text> Session::obstacle(const Command& command) const {
   const CommandSpecification& specification = *findCommand(command.name);
   if (specification.exclusive && gesture_ && !gesture_->window) return "refusal.in-gesture";
-  if (specification.exclusive && question_) return "refusal.answer-first";
+  if (specification.exclusive && question()) return "refusal.answer-first";
   if (specification.available != nullptr && !specification.available(*this)) {
     if (specification.why != nullptr) return specification.why;
     return Text("refusal.not-available", {Text(specification.titleKey())});
@@ -191,6 +191,8 @@ tl::expected<void, Text> Session::apply(const EditResult& edit) {
   if (changes) {
     const auto evaluation = evaluated(edit->flight);
     if (!evaluation) return tl::unexpected(evaluation.error());
+    // Only what is done ends a window's step.
+    if (inWindow()) interruptWindow();
     show(edit->flight, *evaluation, clamped(edit->marks, edit->flight));
     pushStep(edit->step, before);
   } else if (!(edit->marks == state_.marks)) {
@@ -263,8 +265,8 @@ bool Session::preview(const Command& command) {
   if (edit == nullptr) return refuse("refusal.in-gesture");
   const EditResult result = (*edit)(state_, Arguments(command));
   if (!result) return refuse(result.error());
-  if (!gesture_->window) gesture_->step = result->step;
   if (!preview(result->flight)) return false;
+  if (!gesture_->window) gesture_->step = result->step;
   if (seams_.ran) seams_.ran(command);
   return true;
 }

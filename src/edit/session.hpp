@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "edit/command.hpp"
+#include "edit/dialogue.hpp"
 #include "edit/disk_file.hpp"
 #include "edit/display.hpp"
 #include "edit/edit_state.hpp"
@@ -46,21 +47,6 @@ struct OutputLine {
   MessageKind kind = MessageKind::kNumbers;
   Text text;  // where there is less room: of the same key with #short, #shorter, #shortest
   bool operator==(const OutputLine&) const = default;
-};
-
-// What must be answered before it goes on: `answer CHOICE`, or answer cancel.
-struct Question {
-  enum class Kind {
-    kUnsaved,        // choices save, discard, cancel
-    kChangedOnDisk,  // choices overwrite, save-as, cancel
-    kOutsideCube,    // choices enlarge, cancel
-    kRecover,        // choices recover, forget, later
-    kFramesExist,    // choices overwrite, cancel
-    kWritingFrames,  // choices stop, cancel; goes on by itself when they are written
-  };
-  Kind kind = Kind::kUnsaved;
-  Text text;
-  std::vector<std::string> choices;
 };
 
 // What is to become of work that an editor left unsaved.
@@ -193,8 +179,11 @@ class Session {
   // A place in the cube, in the units that are chosen.
   Text pointText(const Vec3& place) const;
   void say(MessageKind kind, Text text);
+  // After an exception in the middle of something: a drag ends as it would by Escape, nothing that
+  // was to follow an answer goes on, and the output line tells.
+  void abandon(Text why);
 
-  const std::optional<Question>& question() const { return question_; }
+  const std::optional<Question>& question() const;
   // Windows that are open, the top one last: "shape", "flight", "chooser-open", "shortcuts", …
   const std::vector<std::string>& windows() const { return windows_; }
   bool windowOpen(std::string_view name) const;
@@ -264,19 +253,13 @@ class Session {
   Display display_;
   Layout layout_;
   OutputLine output_;
-  std::optional<Question> question_;
-  struct Recoverable {
-    Flight flight;
-    std::string path;
-  };
-  std::optional<Recoverable> recoverable_;  // what the question is about
+  std::optional<Dialogue> dialogue_;
   std::optional<RecoveryAnswer> recoveryAnswer_;
-  std::optional<Command> afterAnswer_;  // goes on when the question is answered, or after saving
   std::vector<std::string> windows_;
   std::vector<std::string> recentFiles_;
   std::string ownClipboard_;
   FrameOutput frameOutput_;
-  std::string framesAgreed_;  // the file that may be overwritten unasked
+  std::string framesWritten_;  // the file that was written last, overwritten again unasked
   std::unique_ptr<FrameJob> frameJob_;
   SceneStore scenes_;
   struct Import {

@@ -2,7 +2,9 @@
 // What commands do besides editing the flight: the functions behind the table of commands.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "edit/session.hpp"
 
@@ -121,11 +123,19 @@ struct SessionActions {
 
   // Parts of the above, without questions.
   static Result openFile(Session& session, const std::string& path);
+  // What is wrong with it, all of it, where it can't be read: nothing has changed then.
+  static std::vector<Problem> readFlight(Session& session, const std::string& path);
   static Result saveFile(Session& session, const std::string& path);
   static Result proceed(Session& session, const Command& command);
+  static Result beginFrames(Session& session, const std::string& mayOverwrite);
+
+  // Dialogues (session_dialogue.cpp). `then`: what goes on after the saving.
   static Result askBeforeLoss(Session& session, const Command& command);
-  static Result answerRecovery(Session& session, const std::string& choice);
-  static Result afterSaving(Session& session);
+  static Result saveThen(Session& session, const std::optional<Command>& then);
+  static Result saveFileThen(Session& session, const std::string& path,
+                             const std::optional<Command>& then);
+  static void chooseNameThen(Session& session, const std::optional<Command>& then);
+  static std::optional<Command> takeAfterSaving(Session& session);
   static void openWindow(Session& session, const std::string& name);
   static void hideWindow(Session& session, const std::string& name);
   static Result withCamera(Session& session, const char* command, bool enlarge);

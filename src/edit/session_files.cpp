@@ -33,100 +33,7 @@ Result failed(Session& session, Text why) {
 
 }  // namespace
 
-// --- Questions ---
-
-Result SessionActions::askBeforeLoss(Session& session, const Command& command) {
-  if (!session.modified()) return proceed(session, command);
-  const Text name = session.path().empty() ? Text("title.untitled") : Text();
-  session.question_ = Question{Question::Kind::kUnsaved,
-                               name.empty() ? Text("question.unsaved", {fileName(session.path())})
-                                            : Text("question.unsaved", {name}),
-                               {"save", "discard", "cancel"}};
-  session.afterAnswer_ = command;
-  return {};
-}
-
-Result SessionActions::proceed(Session& session, const Command& command) {
-  if (command.name == "quit") {
-    session.quit_ = true;
-    return {};
-  }
-  if (command.name == "open") {
-    return openFile(session, std::get<std::string>(command.arguments.front()));
-  }
-  session.file_ = DiskFile();
-  session.reset(vides::newFlight());
-  return {};
-}
-
-Result SessionActions::answer(Session& session, const Arguments& arguments) {
-  const std::string& choice = arguments.text(0);
-  const Question question = *session.question_;
-  if (std::find(question.choices.begin(), question.choices.end(), choice) ==
-      question.choices.end()) {
-    return tl::unexpected(Text("refusal.answer", {choice}));
-  }
-  const std::optional<Command> command = session.afterAnswer_;
-  session.question_.reset();
-  if (choice == "cancel") {
-    session.afterAnswer_.reset();
-    session.output_ = {};
-    return {};
-  }
-  if (question.kind == Question::Kind::kRecover) return answerRecovery(session, choice);
-  if (question.kind == Question::Kind::kFramesExist) {
-    session.afterAnswer_.reset();
-    session.framesAgreed_ = session.framesFile();
-    return writeFrames(session, arguments);
-  }
-  if (choice == "stop") {
-    session.afterAnswer_.reset();
-    if (session.frameJob_) session.frameJob_->cancel();
-    session.finishFrames();
-    return quit(session, arguments);
-  }
-  if (choice == "overwrite") return saveFile(session, session.path());
-  if (choice == "save-as") {
-    openWindow(session, "chooser-save");
-    return {};
-  }
-  if (choice == "save") return save(session, arguments);
-  session.afterAnswer_.reset();
-  if (choice == "enlarge") return withCamera(session, command->name.c_str(), true);
-  return proceed(session, *command);
-}
-
-void Session::offerRecovery(Flight flight, std::string path, const std::string& time) {
-  const Text name = path.empty() ? Text("title.untitled") : Text();
-  question_ = Question{Question::Kind::kRecover,
-                       name.empty() ? Text("question.recover", {fileName(path), time})
-                                    : Text("question.recover", {name, time}),
-                       {"recover", "forget", "later"}};
-  recoverable_ = Recoverable{std::move(flight), std::move(path)};
-}
-
-Result SessionActions::answerRecovery(Session& session, const std::string& choice) {
-  const auto work = std::exchange(session.recoverable_, std::nullopt);
-  session.recoveryAnswer_ = choice == "forget" ? RecoveryAnswer::kForget : RecoveryAnswer::kLater;
-  if (choice != "recover" || !work) return {};
-  session.recoveryAnswer_ = RecoveryAnswer::kRecover;
-  session.recover(work->flight, work->path);
-  session.say(MessageKind::kDone, Text("output.recovered"));
-  return {};
-}
-
-Result SessionActions::afterSaving(Session& session) {
-  if (!session.afterAnswer_) return {};
-  const Command command = *session.afterAnswer_;
-  session.afterAnswer_.reset();
-  return proceed(session, command);
-}
-
 // --- Files ---
-
-Result SessionActions::newFlight(Session& session, const Arguments&) {
-  return askBeforeLoss(session, Command("new"));
-}
 
 Result SessionActions::open(Session& session, const Arguments& arguments) {
   if (!arguments.has(0)) {
@@ -143,9 +50,15 @@ Result SessionActions::openRecent(Session& session, const Arguments& arguments) 
 }
 
 Result SessionActions::openFile(Session& session, const std::string& path) {
+  const std::vector<Problem> problems = readFlight(session, path);
+  if (problems.empty()) return {};
+  return failed(session, problemText("output.open-failed", path, problems));
+}
+
+std::vector<Problem> SessionActions::readFlight(Session& session, const std::string& path) {
   DiskFile file;
   auto flight = file.open(path);
-  if (!flight) return failed(session, problemText("output.open-failed", path, flight.error()));
+  if (!flight) return std::move(flight.error());
   session.file_ = std::move(file);
   session.reset(std::move(*flight));
   remember(session.recentFiles_, session.path());
@@ -155,17 +68,7 @@ Result SessionActions::openFile(Session& session, const std::string& path) {
 }
 
 Result SessionActions::save(Session& session, const Arguments&) {
-  if (session.path().empty()) {
-    openWindow(session, "chooser-save");
-    return {};
-  }
-  if (session.file_.compare() == DiskState::kChanged) {
-    session.question_ = Question{Question::Kind::kChangedOnDisk,
-                                 Text("question.changed-on-disk", {fileName(session.path())}),
-                                 {"overwrite", "save-as", "cancel"}};
-    return tl::unexpected(Text("refusal.changed-on-disk", {fileName(session.path())}));
-  }
-  return saveFile(session, session.path());
+  return saveThen(session, takeAfterSaving(session));
 }
 
 Result SessionActions::saveAs(Session& session, const Arguments& arguments) {
@@ -173,13 +76,12 @@ Result SessionActions::saveAs(Session& session, const Arguments& arguments) {
     openWindow(session, "chooser-save");
     return {};
   }
-  return saveFile(session, arguments.text(0));
+  return saveFileThen(session, arguments.text(0), takeAfterSaving(session));
 }
 
 Result SessionActions::saveFile(Session& session, const std::string& path) {
   namespace fs = std::filesystem;
   const std::string from = session.path();
-  std::error_code error;
   const std::vector<SceneFile>& scenes = session.flight().scene;
   // Scenes are named from where the flight lies: anew where it goes elsewhere, or where it was read
   // with a whole path.
@@ -187,12 +89,14 @@ Result SessionActions::saveFile(Session& session, const std::string& path) {
       from.empty() ||
       std::any_of(scenes.begin(), scenes.end(),
                   [](const SceneFile& scene) { return fs::path(scene.file).is_absolute(); }) ||
-      fs::weakly_canonical(fs::absolute(path), error).parent_path() != fs::path(from).parent_path();
+      resolvedPath(path).parent_path() != fs::path(from).parent_path();
   Flight flight = session.flight();
   if (moves) moveScenePaths(flight, from, path);
   if (const auto problem = session.file_.save(flight, path)) {
     return failed(session, problemText("output.save-failed", path, {*problem}));
   }
+  // The window goes on from what is saved.
+  if (session.inWindow()) session.interruptWindow();
   if (moves) {
     session.history_.rewrite([&](Flight& f) { moveScenePaths(f, from, path); });
     session.state_.flight = flight;
@@ -204,9 +108,8 @@ Result SessionActions::saveFile(Session& session, const std::string& path) {
   session.toldOfDisk_ = false;
   remember(session.recentFiles_, session.path());
   session.say(MessageKind::kDone, Text("output.saved", {fileName(path)}));
-  const Result done = afterSaving(session);
   hideWindow(session, "chooser-save");
-  return done;
+  return {};
 }
 
 Result SessionActions::revert(Session& session, const Arguments&) {
@@ -223,16 +126,6 @@ Result SessionActions::revert(Session& session, const Arguments&) {
   session.missingOnDisk_ = false;
   session.toldOfDisk_ = false;
   return {};
-}
-
-Result SessionActions::quit(Session& session, const Arguments&) {
-  if (session.frameJob_) {
-    session.question_ = Question{
-        Question::Kind::kWritingFrames, Text("question.writing-frames"), {"stop", "cancel"}};
-    session.afterAnswer_ = Command("quit");
-    return {};
-  }
-  return askBeforeLoss(session, Command("quit"));
 }
 
 // --- The setup ---

@@ -80,6 +80,10 @@ Result SessionActions::framesFile(Session& session, const Arguments& arguments) 
 }
 
 Result SessionActions::writeFrames(Session& session, const Arguments&) {
+  return beginFrames(session, session.framesWritten_);
+}
+
+Result SessionActions::beginFrames(Session& session, const std::string& mayOverwrite) {
   if (session.frameJob_) return tl::unexpected(Text("refusal.writing-frames"));
   const std::string file = session.framesFile();
   if (auto why = obstacleAt(file, session.path())) return tl::unexpected(std::move(*why));
@@ -90,16 +94,18 @@ Result SessionActions::writeFrames(Session& session, const Arguments&) {
         Text("refusal.frame-range", {options.first, options.last - 1, frames - 1}));
   }
   std::error_code error;
-  if (fs::exists(fs::symlink_status(file, error)) && file != session.framesAgreed_) {
-    session.question_ = Question{Question::Kind::kFramesExist,
-                                 Text("question.frames-exist", {fileName(file)}),
-                                 {"overwrite", "cancel"}};
-    session.afterAnswer_ = Command("write-frames");
+  if (fs::exists(fs::symlink_status(file, error)) && file != mayOverwrite) {
+    const auto overwrite = [file](Session& s, const std::string&) { return beginFrames(s, file); };
+    session.dialogue_ = Dialogue{Question{Question::Kind::kFramesExist,
+                                          Text("question.frames-exist", {fileName(file)}),
+                                          {"overwrite", "cancel"}},
+                                 overwrite,
+                                 {}};
     session.output_ = {};  // of what was refused before
     return {};
   }
-  session.framesAgreed_ = file;
   session.frameJob_ = std::make_unique<FrameJob>(session.evaluation(), options, file);
+  session.framesWritten_.clear();
   session.output_ = {MessageKind::kDone, Text("output.writing-frames", {fileName(file)})};
   return {};
 }
@@ -115,13 +121,17 @@ void Session::finishFrames() {
   collectFrames();
 }
 
-// What came of the writing is told as soon as it is known.
+// What came of the writing is told as soon as it is known. Quitting, if it waits for the frames,
+// goes on, unless they couldn't be written.
 void Session::collectFrames() {
   if (!frameJob_ || !frameJob_->end()) return;
   const std::unique_ptr<FrameJob> job = std::move(frameJob_);
+  const bool waited = question() && question()->kind == Question::Kind::kWritingFrames;
+  if (waited) dialogue_.reset();
   const std::string file = fileName(job->file());
   switch (*job->end()) {
     case FrameJob::End::kWritten:
+      framesWritten_ = job->file();
       say(MessageKind::kDone, Text("output.frames-written", {job->frames(), file}));
       SessionActions::hideWindow(*this, "frames");
       break;
@@ -130,14 +140,9 @@ void Session::collectFrames() {
       break;
     case FrameJob::End::kFailed:
       say(MessageKind::kError, Text("output.frames-failed", {file, problemOf(*job->error())}));
-      break;
+      return;
   }
-  if (question_ && question_->kind == Question::Kind::kWritingFrames) {
-    question_.reset();
-    const Command command = *afterAnswer_;
-    afterAnswer_.reset();
-    execute(command);
-  }
+  if (waited) execute(Command("quit"));
 }
 
 }  // namespace vides

@@ -92,10 +92,9 @@ Result SessionActions::cancelReading(Session& session, const Arguments&) {
 // What has been read since comes into the flight, but never during a drag or a question, which
 // began with the flight as it was.
 void Session::collectScenes() {
-  while (!imports_.empty() && imports_.front().reading->ended() && !inDrag() && !question_) {
+  while (!imports_.empty() && imports_.front().reading->ended() && !inDrag() && !question()) {
     const Import import = std::move(imports_.front());
     imports_.erase(imports_.begin());
-    if (inWindow()) interruptWindow();
     const auto done = SessionActions::finishImport(*this, import);
     if (!gesture_) endGesture();
     if (!done && output_.text != done.error()) refuse(done.error());

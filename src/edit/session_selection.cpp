@@ -52,6 +52,7 @@ bool switched(const Arguments& arguments, std::size_t index, bool now) {
 // --- History ---
 
 Result SessionActions::undo(Session& session, const Arguments&) {
+  if (session.inWindow()) session.interruptWindow();  // what it has changed is undone first
   const Step step = session.history_.undoStep();
   session.show(step.before, session.state_.evaluation.updated(step.before), step.marksBefore);
   session.history_.undo();
@@ -61,6 +62,7 @@ Result SessionActions::undo(Session& session, const Arguments&) {
 }
 
 Result SessionActions::redo(Session& session, const Arguments&) {
+  if (session.inWindow()) session.interruptWindow();
   const Step step = session.history_.redoStep();
   session.show(step.after, session.state_.evaluation.updated(step.after), step.marksAfter);
   session.history_.redo();

@@ -63,13 +63,15 @@ Result SessionActions::shapeChoose(Session& session, const Arguments& arguments)
   const std::string& choice = arguments.text(0);
   if (choice == "own") {
     const Shape shape = shapeOf(session.flight(), session.currentKey());
-    session.gesture_->trial.reset();
-    return previewed(
+    auto done = previewed(
         session.preview(Command("set-shape", shape.tension, shape.continuity, shape.bias)),
         session);
+    if (done) session.gesture_->trial.reset();
+    return done;
   }
-  session.gesture_->trial.reset();
-  return previewed(session.preview(Command("set-preset", std::stoi(choice))), session);
+  auto done = previewed(session.preview(Command("set-preset", std::stoi(choice))), session);
+  if (done) session.gesture_->trial.reset();
+  return done;
 }
 
 Result SessionActions::shapeSet(Session& session, const Arguments& arguments) {
@@ -80,8 +82,9 @@ Result SessionActions::shapeSet(Session& session, const Arguments& arguments) {
   // Moved back to where the preset has it, nothing is tried.
   const Flight& flight = session.flight();
   if (session.currentKey().shape.own == flight.presets[static_cast<std::size_t>(chosen)]) {
-    session.gesture_->trial.reset();
-    return previewed(session.preview(Command("set-preset", chosen)), session);
+    auto done = previewed(session.preview(Command("set-preset", chosen)), session);
+    if (done) session.gesture_->trial.reset();
+    return done;
   }
   session.gesture_->trial = Session::PresetTrial{session.current().key, chosen};
   return {};

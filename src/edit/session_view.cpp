@@ -126,6 +126,8 @@ Result SessionActions::swapViews(Session& session, const Arguments&) {
 Result SessionActions::fly(Session& session, const Camera& camera) {
   session.playback_.stop();
   session.freeCamera_ = camera;
+  Vec3& place = session.freeCamera_->viewReferencePoint;
+  place = withinReach(place);
   session.output_ = {};
   return {};
 }
@@ -165,9 +167,11 @@ Result SessionActions::withCamera(Session& session, const char* command, bool en
   EditState state = session.state_;
   if (!insideCube(camera)) {
     if (!enlarge) {
-      session.question_ = Question{
-          Question::Kind::kOutsideCube, Text("question.outside-cube"), {"enlarge", "cancel"}};
-      session.afterAnswer_ = Command(command);
+      session.dialogue_ = Dialogue{
+          Question{
+              Question::Kind::kOutsideCube, Text("question.outside-cube"), {"enlarge", "cancel"}},
+          [command](Session& s, const std::string&) { return withCamera(s, command, true); },
+          {}};
       return tl::unexpected(Text("refusal.outside-cube"));
     }
     auto flight = enlargedFor(state.flight, camera);
@@ -286,7 +290,7 @@ void SessionActions::hideWindow(Session& session, const std::string& name) {
   if (name == "shape" && session.windowOpen(name)) endShape(session);
   std::erase(session.windows_, name);
   // Whoever closes the chooser doesn't want to go on with what was to follow the saving.
-  if (name == "chooser-save" && !session.question_) session.afterAnswer_.reset();
+  if (name == "chooser-save" && !session.question()) session.dialogue_.reset();
 }
 
 Result SessionActions::showWindow(Session& session, const Arguments& arguments) {
@@ -316,12 +320,8 @@ Result SessionActions::fullScreen(Session& session, const Arguments& arguments) 
 Result SessionActions::escape(Session& session, const Arguments&) {
   if (session.gesture_ && !session.gesture_->window) {
     session.cancel();
-  } else if (session.question_) {
-    if (session.question_->kind == Question::Kind::kRecover) {
-      static_cast<void>(answerRecovery(session, "later"));
-    }
-    session.question_.reset();
-    session.afterAnswer_.reset();
+  } else if (session.question()) {
+    return answer(session, Arguments(Command("answer", session.question()->choices.back())));
   } else if (session.freeCamera_) {
     session.freeCamera_.reset();
   } else if (!session.windows_.empty()) {

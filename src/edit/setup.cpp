@@ -232,7 +232,7 @@ ReadSetup readSetup(std::string_view text) {
 }
 
 ReadSetup readSetupFile(const std::string& path) {
-  const auto text = readFile(path, kSetupBytes);
+  const auto text = readRegularFile(path, kSetupBytes);
   if (!text) return tl::unexpected(std::vector<Problem>{text.error()});
   return readSetup(*text);
 }

@@ -38,7 +38,7 @@ struct Setup {
 // What is wrong is told as in a `.vid`, up to kMostProblems problems in the order of the file.
 using ReadSetup = tl::expected<Setup, std::vector<Problem>>;
 ReadSetup readSetup(std::string_view text);
-ReadSetup readSetupFile(const std::string& path);
+ReadSetup readSetupFile(const std::string& path);  // of a file: not of a pipe
 
 // The same text for the same setup, in every locale.
 std::string writeSetup(const Setup& setup);

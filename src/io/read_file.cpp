@@ -56,13 +56,47 @@ tl::expected<std::string, Problem> readDescriptor(int descriptor, std::size_t mo
   return text;
 }
 
-tl::expected<std::string, Problem> readFile(const std::string& path, std::size_t mostBytes) {
+namespace {
+
+int openForReading(const std::string& path, int flags) {
+  // What the system sees of such a name is another one.
+  if (path.find('\0') != path.npos) {
+    errno = EINVAL;
+    return -1;
+  }
   int descriptor = -1;
   do {
-    descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | flags);
   } while (descriptor < 0 && errno == EINTR);
+  return descriptor;
+}
+
+}  // namespace
+
+tl::expected<std::string, Problem> readFile(const std::string& path, std::size_t mostBytes) {
+  const int descriptor = openForReading(path, 0);
   if (descriptor < 0) return tl::unexpected(unreadable(errno));
   auto text = readDescriptor(descriptor, mostBytes);
+  ::close(descriptor);
+  return text;
+}
+
+tl::expected<std::string, Problem> readRegularFile(const std::string& path, std::size_t mostBytes) {
+  const int descriptor = openForReading(path, O_NONBLOCK);
+  if (descriptor < 0) return tl::unexpected(unreadable(errno));
+  struct stat status {};
+  tl::expected<std::string, Problem> text;
+  if (fstat(descriptor, &status) != 0) {
+    text = tl::unexpected(unreadable(errno));
+  } else if (S_ISDIR(status.st_mode)) {
+    text = tl::unexpected(unreadable(EISDIR));
+  } else if (!S_ISREG(status.st_mode)) {
+    Problem problem = unreadable(0);
+    problem.found = "Not a regular file";
+    text = tl::unexpected(std::move(problem));
+  } else {
+    text = readDescriptor(descriptor, mostBytes);
+  }
   ::close(descriptor);
   return text;
 }

@@ -246,13 +246,17 @@ std::string writeVid(const Flight& flight) {
   return text;
 }
 
-std::optional<Problem> saveVid(const Flight& flight, const std::string& path) {
+std::optional<Problem> saveVid(const Flight& flight, const std::string& path,
+                               const std::function<void(std::string_view)>& seen) {
   if (std::vector<Problem> problems = validate(flight); !problems.empty()) {
     return std::move(problems.front());
   }
   if (std::optional<Problem> problem = checkFrameCount(flight)) return problem;
   AtomicFile file(path);
-  writeVid(flight, [&](std::string_view piece) { return file.write(piece); });
+  writeVid(flight, [&](std::string_view piece) {
+    if (seen) seen(piece);
+    return file.write(piece);
+  });
   if (const auto saved = file.commit(); !saved) return problemOf(saved.error());
   return std::nullopt;
 }

@@ -21,8 +21,9 @@ bool writeVid(const Flight& flight, const TextSink& sink);
 std::string writeVid(const Flight& flight);
 
 // Saves whole or not at all (io/atomic_file.hpp). A flight that isn't valid is refused with its
-// first problem; what the system refuses is kUnwritable.
-std::optional<Problem> saveVid(const Flight& flight, const std::string& path);
+// first problem; what the system refuses is kUnwritable. `seen` is told the text, piece by piece.
+std::optional<Problem> saveVid(const Flight& flight, const std::string& path,
+                               const std::function<void(std::string_view)>& seen = {});
 
 // Text as a JSON string with its quotes: UTF-8 as it is, control characters escaped.
 void appendJsonString(std::string& out, std::string_view text);

@@ -3,6 +3,7 @@
 
 import json
 import os
+import pathlib
 import pty
 import select
 import signal
@@ -200,7 +201,7 @@ class Interrupted(ProgramTest):
                 process = subprocess.Popen(
                     [PROGRAM, "frames", "long.vid", "--format=json", "-o", "out.json"],
                     cwd=self.folder, env=environment(), stdin=subprocess.DEVNULL)
-                self.wait_for_bytes()
+                self.wait_for_bytes(process)
                 process.send_signal(number)
                 self.assertEqual(process.wait(timeout=60), -number)
                 left = sorted(p.name for p in self.folder.iterdir())
@@ -211,12 +212,16 @@ class Interrupted(ProgramTest):
                     self.assertEqual(out.read_bytes(), old)
                     out.unlink()
 
-    def wait_for_bytes(self):
-        """Until the temporary file has grown: the writing is under way."""
+    def wait_for_bytes(self, process):
+        """Until the temporary file has grown: the writing is under way. It may have no name."""
         for _ in range(60_000):
-            for path in self.folder.iterdir():
-                if path.name not in ("long.vid", "out.json") and path.stat().st_size > 100_000:
-                    return
+            for file in pathlib.Path(f"/proc/{process.pid}/fd").iterdir():
+                try:
+                    if "/.vides-" in os.readlink(file) or "(deleted)" in os.readlink(file):
+                        if file.stat().st_size > 100_000:
+                            return
+                except FileNotFoundError:
+                    pass
             time.sleep(0.001)
         self.fail("nothing was written")
 
