@@ -3,6 +3,7 @@
 #include "app/background_writer.hpp"
 
 #include <algorithm>
+#include <exception>
 
 namespace vides {
 
@@ -43,7 +44,11 @@ void BackgroundWriter::run() {
       waiting_.pop_front();
       running_ = true;
       lock.unlock();
-      job();
+      try {
+        job();
+      } catch (const std::exception&) {
+        // There is nobody to tell here; what it should have written is written with the next one.
+      }
     }
     lock.lock();
     running_ = false;

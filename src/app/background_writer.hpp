@@ -22,7 +22,7 @@ class BackgroundWriter {
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
   // A job of that name that still waits is replaced: only the newest state of a file is worth
-  // writing. Jobs must not throw.
+  // writing. What a job throws ends that job.
   void post(std::string name, std::function<void()> job);
   // Returns when everything posted has run.
   void finish();

@@ -2,10 +2,11 @@
 // One display frame of the editor.
 #include "app/editor.hpp"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include "app/editor_parts.hpp"
@@ -63,6 +64,22 @@ SessionSeams seamsOf(const EditorOptions& options) {
   return seams;
 }
 
+// For as long as one of the editor's functions runs: its contexts, of OpenGL and Dear ImGui, are
+// the current ones, and the latter is again who it was afterwards.
+class Turn {
+ public:
+  Turn(const EditorOptions& options, ImGuiContext* context) {
+    if (options.makeCurrent) options.makeCurrent();
+    if (context != nullptr) ImGui::SetCurrentContext(context);
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+  ~Turn() { ImGui::SetCurrentContext(before_); }
+
+ private:
+  ImGuiContext* before_ = ImGui::GetCurrentContext();
+};
+
 }  // namespace
 
 Editor::Parts::Parts(const Gl& table, EditorOptions given)
@@ -91,6 +108,7 @@ Editor::Parts::~Parts() { ImGui::DestroyContext(context); }
 
 tl::expected<std::unique_ptr<Editor>, std::string> Editor::create(const Gl& gl,
                                                                   EditorOptions options) {
+  const Turn turn(options, nullptr);
   auto parts = std::make_unique<Parts>(gl, std::move(options));
   auto renderer = ImguiRenderer::create(gl);
   if (!renderer) return Failure(renderer.error());
@@ -102,7 +120,10 @@ tl::expected<std::unique_ptr<Editor>, std::string> Editor::create(const Gl& gl,
 }
 
 Editor::Editor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
-Editor::~Editor() = default;
+Editor::~Editor() {
+  const Turn turn(parts_->options, nullptr);
+  parts_.reset();
+}
 
 // Fonts and style for the scale and theme at hand. Error: no room for the fonts' texture.
 void Editor::Parts::fitScale(double contentScale, PixelSize size) {
@@ -124,7 +145,9 @@ void Editor::Parts::fitScale(double contentScale, PixelSize size) {
   if (fonts.scale != scale) fonts = buildFonts(scale);
   io.Fonts = fonts.atlas.get();
   io.FontDefault = fonts.fonts.regular;
-  if (auto uploaded = imguiRenderer->uploadFonts(*io.Fonts); !uploaded) fontTrouble = true;
+  if (auto uploaded = imguiRenderer->uploadFonts(*io.Fonts); !uploaded) {
+    session.say(MessageKind::kError, Text("output.fonts-failed", {uploaded.error()}));
+  }
 }
 
 void Editor::Parts::apply(const Actions& actions) {
@@ -232,8 +255,27 @@ bool Editor::Parts::pass(const FrameInput& given) {
 }
 
 FrameOutcome Editor::frame(const FrameInput& given) {
+  const Turn turn(parts_->options, parts_->context);
+  try {
+    return frameOrThrow(given);
+  } catch (const std::exception& error) {
+    parts_->mend(error.what());
+    throw;
+  }
+}
+
+// After an exception anywhere in a display frame: the next one begins as if there had been none.
+void Editor::Parts::mend(const std::string& why) {
+  if (context->WithinFrameScope) {
+    ImGui::ErrorCheckEndFrameRecover(nullptr, nullptr);
+    ImGui::EndFrame();
+  }
+  session.abandon(Text("output.went-wrong", {why}));
+  settling = kSettlingFrames;
+}
+
+FrameOutcome Editor::frameOrThrow(const FrameInput& given) {
   Parts& p = *parts_;
-  ImGui::SetCurrentContext(p.context);
   if (p.texts.language() != p.session.display().language) {
     p.texts = Texts(p.session.display().language);
   }
@@ -305,7 +347,10 @@ FrameOutcome Editor::Parts::outcome() {
   return result;
 }
 
-bool Editor::run(const Command& command) { return parts_->run(command); }
+bool Editor::run(const Command& command) {
+  const Turn turn(parts_->options, parts_->context);
+  return parts_->run(command);
+}
 std::string Editor::words(const Text& text) const { return parts_->tell(text); }
 std::string Editor::label(std::string_view id) const { return parts_->words(id); }
 double Editor::contentScale() const { return parts_->scale; }

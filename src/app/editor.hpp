@@ -3,8 +3,8 @@
 // out.
 //
 // The window (app/open_editor.hpp) and scripts (app/drive) run the same object. Belongs to the
-// thread of its OpenGL context, and to no other while it exists: Dear ImGui's current context is
-// switched at the beginning of each call.
+// thread of its OpenGL context, and to no other while it exists. Several may share a thread, also
+// with other users of Dear ImGui: whose context of it is current is the same after each call.
 #pragma once
 
 #include <functional>
@@ -33,6 +33,9 @@ struct EditorOptions {
   // Work in threads is waited for in the display frame that began it: scripts see what came of it.
   bool waitForWork = false;
   FontSet fonts;  // built ahead, or empty
+  // Makes the context of `gl` current where it isn't, at the beginning of each call, and at the end
+  // of the editor; without it the caller does so.
+  std::function<void()> makeCurrent;
   // Told of every command that did what it says, and of every shortcut that was pressed.
   std::function<void(const Command&)> ran;
   std::function<void(const Shortcut&)> pressed;
@@ -60,8 +63,7 @@ struct FrameOutcome {
 
 class Editor {
  public:
-  // The context of `gl` must be current here and in each call. Error: a sentence, what OpenGL
-  // refused.
+  // Error: a sentence, what OpenGL refused.
   static tl::expected<std::unique_ptr<Editor>, std::string> create(const Gl& gl,
                                                                    EditorOptions options);
   ~Editor();
@@ -69,7 +71,8 @@ class Editor {
   Editor& operator=(const Editor&) = delete;
 
   // Draws into the framebuffer that is bound, which has depth and stencil and is of that size. An
-  // empty size draws nothing; events are taken all the same.
+  // empty size draws nothing; events are taken all the same. Where it throws (memory, say), nothing
+  // of the session is lost, the output line tells, and the next display frame may be drawn.
   FrameOutcome frame(const FrameInput& input);
 
   // Measures a long flight to the end without drawing: what display frames do in portions, where
@@ -101,6 +104,7 @@ class Editor {
 
  private:
   explicit Editor(std::unique_ptr<Parts> parts);
+  FrameOutcome frameOrThrow(const FrameInput& input);
   std::unique_ptr<Parts> parts_;
 };
 

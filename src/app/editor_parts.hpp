@@ -53,8 +53,7 @@ struct Editor::Parts {
   FlightGraphs graphs;
 
   double scale = 0.0;  // 0 before the first frame
-  bool fontTrouble = false;
-  Theme colours;  // the session's, as applied to Dear ImGui
+  Theme colours;       // the session's, as applied to Dear ImGui
   Texts texts{Language::kEnglish};
   Words words;
   Tell tell;
@@ -90,6 +89,7 @@ struct Editor::Parts {
   void stepGlide();
   void endGlide();
   FrameOutcome outcome();
+  void mend(const std::string& why);
   // editor_events.cpp
   bool notice(const InputEvent& event);
   void feed(ImGuiIO& io);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The editor in a window: sleeps until something happens, and then draws a display frame.
+// The editor in a window, from its start to its end.
 #include "app/open_editor.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <functional>
 #include <future>
-#include <limits>
 #include <string_view>
-#include <thread>
+#include <system_error>
+#include <utility>
 
 #include "app/assets.hpp"
 #include "app/commands.hpp"
@@ -22,84 +22,12 @@
 #include "app/recovery_keeper.hpp"
 #include "app/sample_frames.hpp"
 #include "app/user_files.hpp"
+#include "app/window_loop.hpp"
 #include "edit/folder.hpp"
 #include "host/open_host.hpp"
 
 namespace vides {
 namespace {
-
-// Screens faster than this gain nothing; without vertical synchronisation we limit ourselves.
-constexpr double kLeastFrameSeconds = 1.0 / 120.0;
-constexpr std::chrono::duration<double> kLongest = std::chrono::hours(1);
-
-CursorShape cursorOf(PointerShape shape) {
-  switch (shape) {
-    case PointerShape::kText:
-      return CursorShape::kText;
-    case PointerShape::kHand:
-    case PointerShape::kMove:
-      return CursorShape::kHand;
-    case PointerShape::kHorizontal:
-      return CursorShape::kHorizontal;
-    case PointerShape::kVertical:
-      return CursorShape::kVertical;
-    case PointerShape::kArrow:
-      break;
-  }
-  return CursorShape::kArrow;
-}
-
-// What the window shows besides the picture, told to it only where it changes.
-class WindowDress {
- public:
-  explicit WindowDress(Host& host) : host_(host) {}
-  void put(const FrameOutcome& outcome) {
-    if (outcome.title != title_) host_.setTitle(title_ = outcome.title);
-    const CursorShape cursor = cursorOf(outcome.pointer);
-    if (cursor != cursor_) host_.setCursor(cursor_ = cursor);
-    if (outcome.fullScreen != host_.fullScreen()) host_.setFullScreen(outcome.fullScreen);
-  }
-
- private:
-  Host& host_;
-  std::string title_;
-  CursorShape cursor_ = CursorShape::kArrow;
-};
-
-// Until the editor is quit or a signal ends it.
-void runWindow(Host& host, Editor& editor, UserFiles& userFiles, RecoveryKeeper& recovery,
-               const EndSignals& signals) {
-  using Seconds = std::chrono::duration<double>;
-  WindowDress dress(host);
-  double due = 0.0;  // when the next display frame is wanted; the first at once
-  double last = -1.0;
-  while (signals.came() == 0) {
-    FrameInput input;
-    input.events = host.takeEvents();
-    if (input.events.empty() && host.time() < due) {
-      host.waitForEvents(std::min(Seconds(due - host.time()), kLongest));
-      continue;
-    }
-    if (const double early = last + kLeastFrameSeconds - host.time(); early > 0.0) {
-      std::this_thread::sleep_for(Seconds(early));
-      for (InputEvent& event : host.takeEvents()) input.events.push_back(std::move(event));
-    }
-    last = input.time = host.time();
-    input.size = host.size();
-    input.contentScale = host.contentScale();
-    const bool visible = host.beginDrawing();
-    const FrameOutcome outcome = editor.frame(input);
-    if (visible) host.swap();
-    if (outcome.quit) return;
-    dress.put(outcome);
-    due = std::numeric_limits<double>::infinity();
-    for (const std::optional<double>& wanted :
-         {outcome.nextFrameIn, userFiles.follow(editor.session(), input.time),
-          recovery.follow(editor.session(), input.time)}) {
-      due = std::min(due, input.time + wanted.value_or(due));
-    }
-  }
-}
 
 // `./dev run` without arguments asks for something to see even where there is no display.
 int noWindow(const std::string& why, bool flightGiven) {
@@ -114,18 +42,41 @@ int noWindow(const std::string& why, bool flightGiven) {
   return kFailed;
 }
 
+// Opening a window takes a while in which its fonts can be made, for the commonest screens. Where
+// the system has no thread left, the editor makes them itself.
+std::future<FontSet> beginFonts() {
+  try {
+    return std::async(std::launch::async, &buildFonts, 1.0);
+  } catch (const std::system_error&) {
+    return {};
+  }
+}
+
+// What is to be done when the display is lost; not after what it uses has gone.
+class LastWords {
+ public:
+  LastWords(Host& host, std::function<void()> words) : host_(host) {
+    host_.onLost(std::move(words));
+  }
+  LastWords(const LastWords&) = delete;
+  LastWords& operator=(const LastWords&) = delete;
+  ~LastWords() { host_.onLost({}); }
+
+ private:
+  Host& host_;
+};
+
 }  // namespace
 
 int openEditor(const std::optional<std::string>& flight) {
   EndSignals signals;
-  // Opening a window takes a while in which its fonts can be made, for the commonest screens.
-  std::future<FontSet> fonts = std::async(std::launch::async, &buildFonts, 1.0);
+  std::future<FontSet> fonts = beginFonts();
   auto host = openWindow({});
   if (!host) return noWindow(host.error(), flight.has_value());
   Host& window = **host;
-  window.makeCurrent();
   EditorOptions options;
-  options.fonts = fonts.get();
+  options.makeCurrent = [&window] { window.makeCurrent(); };
+  if (fonts.valid()) options.fonts = fonts.get();
   options.clipboard = [&window] { return window.clipboard(); };
   options.setClipboard = [&window](const std::string& text) { window.setClipboard(text); };
   auto editor = Editor::create(window.gl(), std::move(options));
@@ -133,36 +84,45 @@ int openEditor(const std::optional<std::string>& flight) {
     tell(editor.error());
     return kFailed;
   }
+  Session& session = (*editor)->session();
   BackgroundWriter writer;
   UserFiles userFiles(writer, configFolder(), stateFolder());
-  const std::optional<Text> trouble = userFiles.load((*editor)->session());
+  const std::optional<Text> trouble = userFiles.load(session);
   if (flight) {
     if (!openFlightArgument(**editor, *flight)) return kFailed;
   } else if (const auto sample = findAsset("flights/pyramid.vid")) {
-    (*editor)->session().beginWithSample(sample->string());
+    session.beginWithSample(sample->string());
   }
-  if (trouble) (*editor)->session().say(MessageKind::kError, *trouble);
+  if (trouble) session.say(MessageKind::kError, *trouble);
   RecoveryKeeper recovery(writer, stateFolder().empty() ? "" : stateFolder() / "recovery");
-  recovery.offer((*editor)->session());
+  recovery.offer(session);
   // An end that nobody can be asked about.
   const auto endAtOnce = [&](const std::string& why) {
-    const bool kept = recovery.keepNow((*editor)->session());
-    userFiles.close((*editor)->session());
+    bool kept = false;
+    try {
+      kept = recovery.keepNow(session);
+      userFiles.close(session);
+    } catch (const std::exception& error) {
+      tell(error.what());
+    }
     tell(kept ? why + "; what was unsaved is offered at the next start" : why);
   };
-  window.onLost([&] { endAtOnce("the display is gone"); });
-  signals.leaveTo([&] { window.wake(); });
-  runWindow(window, **editor, userFiles, recovery, signals);
-  signals.leaveTo({});  // the window goes
+  WindowLoop loop(window, **editor, userFiles, recovery);
+  WindowLoop::State state = WindowLoop::State::kGoesOn;
+  {
+    const LastWords lastWords(window, [&] { endAtOnce("the display is gone"); });
+    signals.leaveTo([&] { window.wake(); });
+    while (signals.came() == 0 && state == WindowLoop::State::kGoesOn) state = loop.step();
+    signals.leaveTo({});  // the window goes
+  }
   if (const int signal = signals.came()) {
     endAtOnce(fmt::format("ended by SIG{}", sigabbrev_np(signal)));
     signals.finish();
   }
-  recovery.close();
-  userFiles.close((*editor)->session());
-  window.makeCurrent();
-  editor->reset();
-  return kExitDone;
+  // What is unsaved stays on the disk where the editor couldn't go on.
+  if (state == WindowLoop::State::kQuit) recovery.close();
+  userFiles.close(session);
+  return state == WindowLoop::State::kQuit ? kExitDone : kFailed;
 }
 
 }  // namespace vides

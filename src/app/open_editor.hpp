@@ -7,9 +7,10 @@
 
 namespace vides {
 
-// Returns the exit status. Where there is no display (and in this version, which has no editor):
-// without a flight the frames of a sample flight are written to out/, so that there is something to
-// see; with one it says so and names the commands that need no display.
+// Opens the window and returns the exit status when it has closed. Without a display it says so and
+// names the commands that need none; where there is no flight either, and VIDES_WITHOUT_DISPLAY is
+// "sample" (`./dev run`), the frames of a sample flight are written to out/ instead, so that there
+// is something to see.
 int openEditor(const std::optional<std::string>& flight);
 
 }  // namespace vides

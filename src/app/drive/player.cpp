@@ -25,8 +25,8 @@ std::string parentMenu(const std::string& id) {
 
 tl::expected<std::unique_ptr<Player>, std::string> Player::create(OffscreenHost& host,
                                                                   bool waitForWork) {
-  host.makeCurrent();
   EditorOptions options;
+  options.makeCurrent = [&host] { host.makeCurrent(); };
   options.clipboard = [&host] { return host.clipboard(); };
   options.setClipboard = [&host](const std::string& text) { host.setClipboard(text); };
   options.glide = false;
@@ -50,7 +50,6 @@ void Player::draw() {
   input.size = host_.size();
   input.contentScale = host_.contentScale();
   const bool visible = host_.beginDrawing();
-  if (!visible) host_.makeCurrent();
   outcome_ = editor_->frame(input);
   if (visible) host_.swap();
 }
@@ -120,7 +119,6 @@ void Player::click(double x, double y, PointerButton which) {
 }
 
 bool Player::perform(const Command& command) {
-  host_.makeCurrent();
   const bool done = editor_->run(command);
   frame();
   return done;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <optional>
 
 #include "edit/command.hpp"
@@ -107,11 +108,20 @@ tl::expected<void, std::string> ScriptRunner::run(std::string_view name, std::st
   if (!lines) return Failure(fmt::format("{}:{}", name, lines.error()));
   player_.frame();
   for (const ScriptLine& each : *lines) {
-    if (auto done = line(each); !done) {
+    if (auto done = lineOrFailure(each); !done) {
       return Failure(fmt::format("{}:{}: {}", name, each.number, done.error()));
     }
   }
   return {};
+}
+
+// Whatever a line does to the editor, it is that line that failed.
+ScriptRunner::Result ScriptRunner::lineOrFailure(const ScriptLine& each) {
+  try {
+    return line(each);
+  } catch (const std::exception& error) {
+    return Failure(fmt::format("expected the editor to go on, found: {}", error.what()));
+  }
 }
 
 ScriptRunner::Result ScriptRunner::line(const ScriptLine& line) {

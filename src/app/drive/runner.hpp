@@ -72,6 +72,7 @@ class ScriptRunner {
   Result screenshot(Words, const ScriptLine&);
 
   Result line(const ScriptLine& line);
+  Result lineOrFailure(const ScriptLine& line);
   // A session's command that must succeed, then a display frame.
   Result must(const vides::Command& command, std::string_view what);
   tl::expected<std::vector<double>, std::string> numbers(Words words) const;
