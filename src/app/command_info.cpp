@@ -18,6 +18,7 @@
 #include "app/progress.hpp"
 #include "edit/film_length.hpp"
 #include "evaluate/quality.hpp"
+#include "flight/printable.hpp"
 
 namespace vides {
 namespace {

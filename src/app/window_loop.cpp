@@ -62,9 +62,9 @@ WindowLoop::State WindowLoop::failed(const std::string& why) {
     due_ = host_.time();
   } catch (const std::exception&) {
     tell("something went wrong, and keeping what is unsaved failed, too");
-    return State::kFailed;
+    return State::kGivenUp;
   }
-  return givesUp ? State::kFailed : State::kGoesOn;
+  return givesUp ? State::kGivenUp : State::kGoesOn;
 }
 
 WindowLoop::State WindowLoop::stepOrThrow() {

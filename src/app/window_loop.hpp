@@ -20,14 +20,14 @@ class WindowLoop {
   // Display frames that fail one after the other before it gives up.
   static constexpr int kMostFailures = 3;
 
-  enum class State { kGoesOn, kQuit, kFailed };
+  enum class State { kGoesOn, kQuit, kGivenUp };
 
   // They outlive it.
   WindowLoop(Host& host, Editor& editor, UserFiles& userFiles, RecoveryKeeper& recovery);
   WindowLoop(const WindowLoop&) = delete;
   WindowLoop& operator=(const WindowLoop&) = delete;
 
-  // Waits for the next display frame, or for the host's wake(), and draws it. kFailed: what can be
+  // Waits for the next display frame, or for the host's wake(), and draws it. kGivenUp: what can be
   // kept is kept, standard error knows why.
   State step();
 

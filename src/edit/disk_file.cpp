@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "edit/file_obstacle.hpp"
 #include "flight/limits.hpp"
 #include "io/read_file.hpp"
 #include "io/vid_reader.hpp"
@@ -22,19 +23,6 @@ constexpr std::uint64_t kHashStart = 14695981039346656037u;
 std::uint64_t hashed(std::uint64_t hash, std::string_view text) {
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
   return hash;
-}
-
-// What would have to wait for somebody who reads.
-bool isPipe(const std::string& path) {
-  struct stat s {};
-  return ::stat(path.c_str(), &s) == 0 && (S_ISFIFO(s.st_mode) || S_ISSOCK(s.st_mode));
-}
-
-Problem notAFile() {
-  Problem problem;
-  problem.code = ProblemCode::kUnwritable;
-  problem.found = "Not a regular file";
-  return problem;
 }
 
 }  // namespace
@@ -67,7 +55,7 @@ tl::expected<Flight, std::vector<Problem>> DiskFile::open(const std::string& pat
 }
 
 std::optional<Problem> DiskFile::save(const Flight& flight, const std::string& path) {
-  if (isPipe(path)) return notAFile();
+  if (auto why = obstacleToWriting(path)) return why;
   std::uint64_t hash = kHashStart;
   const auto seen = [&](std::string_view text) { hash = hashed(hash, text); };
   if (auto problem = saveVid(flight, path, seen)) return problem;

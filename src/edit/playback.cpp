@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/whole.hpp"
+
 namespace vides {
 
 void Playback::goTo(std::int64_t frame) {
@@ -31,11 +33,11 @@ void Playback::advance(double now, std::int64_t frameCount, double frameRate) {
   if (loop_) {
     const double place =
         std::fmod(static_cast<double>(startFrame_) + due, static_cast<double>(frameCount));
-    frame_ = static_cast<std::int64_t>(place);
+    frame_ = wholeWithin(place, 0, frameCount - 1);
     return;
   }
   const double left = static_cast<double>(frameCount - 1 - startFrame_);
-  frame_ = startFrame_ + static_cast<std::int64_t>(std::min(due, std::max(left, 0.0)));
+  frame_ = startFrame_ + wholeWithin(std::min(due, left), 0, frameCount - 1);
   if (due >= left) {
     frame_ = frameCount - 1;
     playing_ = false;

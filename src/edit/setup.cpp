@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "edit/file_obstacle.hpp"
 #include "edit/view_state.hpp"
 #include "flight/validation.hpp"
 #include "io/atomic_file.hpp"
@@ -271,6 +272,7 @@ std::string writeSetup(const Setup& setup) {
 }
 
 std::optional<Problem> saveSetup(const Setup& setup, const std::string& path) {
+  if (auto why = obstacleToWriting(path)) return why;
   // What can't be made is told by the file that can't be opened in it.
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);

