@@ -136,13 +136,14 @@ void Editor::Parts::fitScale(double contentScale, PixelSize size) {
   const Theme wantedColours = themeOf(session.display());
   const bool otherColours = !(wantedColours == colours);
   const bool otherScale = wanted != scale;
-  if (!otherColours && !otherScale) return;
+  const bool otherLetters = memory.foreign != fonts.others;
+  if (!otherColours && !otherScale && !otherLetters) return;
   scale = wanted;
   colours = wantedColours;
   applyStyle(ImGui::GetStyle(), colours, static_cast<float>(scale));
-  if (!otherScale) return;
+  if (!otherScale && !otherLetters) return;
   ImGuiIO& io = ImGui::GetIO();
-  if (fonts.scale != scale) fonts = buildFonts(scale);
+  if (fonts.scale != scale || otherLetters) fonts = buildFonts(scale, memory.foreign);
   io.Fonts = fonts.atlas.get();
   io.FontDefault = fonts.fonts.regular;
   if (auto uploaded = imguiRenderer->uploadFonts(*io.Fonts); !uploaded) {
@@ -305,6 +306,7 @@ FrameOutcome Editor::frameOrThrow(const FrameInput& given) {
   p.draw(given);
   ++p.framesDrawn;
   if (p.settling > 0) --p.settling;
+  if (p.memory.foreign != p.fonts.others) p.settling = kSettlingFrames;  // drawn with their letters
   // What is kept of the view is where it was going.
   if (p.session.quitRequested()) p.endGlide();
   return p.outcome();

@@ -8,11 +8,21 @@
 
 namespace vides {
 
-std::string shownName(const Ui& ui, std::string_view name) {
+namespace {
+
+// More would make a texture that no driver takes.
+constexpr std::size_t kMostForeign = 2000;
+
+}  // namespace
+
+std::string shownName(Ui& ui, std::string_view name) {
   const ImFont* const font = ui.font(Weight::kRegular);
-  return unambiguous(name, [font](char32_t character) {
-    return character <= IM_UNICODE_CODEPOINT_MAX &&
-           font->FindGlyphNoFallback(static_cast<ImWchar>(character)) != nullptr;
+  std::set<char32_t>& foreign = ui.memory().foreign;
+  return unambiguous(name, [&](char32_t character) {
+    if (character > IM_UNICODE_CODEPOINT_MAX) return false;
+    if (font->FindGlyphNoFallback(static_cast<ImWchar>(character)) != nullptr) return true;
+    if (foreign.size() < kMostForeign) foreign.insert(character);
+    return false;
   });
 }
 

@@ -10,8 +10,9 @@
 namespace vides {
 
 // A name (or a path) told from every other: what the fonts have no sign for is written in escapes
-// (flight/printable.hpp).
-std::string shownName(const Ui& ui, std::string_view name);
+// (flight/printable.hpp), and noted, so that another font may have it from the next display frame
+// on.
+std::string shownName(Ui& ui, std::string_view name);
 
 // The same where a label of Dear ImGui's would end at "##": an entry of the menu that is open, with
 // the identifier; true where it is chosen.

@@ -12,6 +12,9 @@
 #include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "panels/installed_font.hpp"
 
 #ifdef VIDES_EMBEDDED_FONTS
 #include "fonts_embedded.hpp"
@@ -88,6 +91,33 @@ ImFont* addWithEqualDigits(ImFontAtlas& atlas, std::string& bytes, float size,
   return atlas.Fonts.back();
 }
 
+// Other fonts' signs for characters that the typeface lacks, merged into the font added last. The
+// ranges are read when the atlas is built.
+class OtherFonts {
+ public:
+  explicit OtherFonts(const std::set<char32_t>& characters)
+      : fonts_(installedFontsFor(characters)) {
+    for (const InstalledFont& font : fonts_) {
+      std::vector<ImWchar>& ranges = ranges_.emplace_back();
+      for (const char32_t c : font.characters)
+        ranges.insert(ranges.end(), 2, static_cast<ImWchar>(c));
+      ranges.push_back(0);
+    }
+  }
+  void addTo(ImFontAtlas& atlas, float size) {
+    for (std::size_t i = 0; i < fonts_.size(); ++i) {
+      ImFontConfig config;
+      config.MergeMode = true;
+      config.FontNo = fonts_[i].number;
+      add(atlas, fonts_[i].bytes, size, config, ranges_[i].data());
+    }
+  }
+
+ private:
+  std::vector<InstalledFont> fonts_;
+  std::vector<std::vector<ImWchar>> ranges_;
+};
+
 Fonts buildPlain(ImFontAtlas& atlas, float scale) {
   Fonts result;
   const auto make = [&](float height) {
@@ -105,8 +135,9 @@ Fonts buildPlain(ImFontAtlas& atlas, float scale) {
 
 void FontSet::AtlasEnd::operator()(ImFontAtlas* atlas) const { delete atlas; }
 
-FontSet buildFonts(double contentScale) {
+FontSet buildFonts(double contentScale, const std::set<char32_t>& others) {
   FontSet result;
+  result.others = others;
   result.scale = std::clamp(contentScale, kLeastContentScale, kMostContentScale);
   const auto scale = static_cast<float>(result.scale);
   result.atlas.reset(new ImFontAtlas);
@@ -121,8 +152,11 @@ FontSet buildFonts(double contentScale) {
   }
   const float text = std::round(kTextHeight * scale);
   const float small = std::round(kSmallHeight * scale);
+  OtherFonts otherFonts(others);
   result.fonts.regular = addWithEqualDigits(atlas, *regular, text, kTextRanges.data());
+  otherFonts.addTo(atlas, text);
   result.fonts.semibold = addWithEqualDigits(atlas, *semibold, text, kTextRanges.data());
+  otherFonts.addTo(atlas, text);
   result.fonts.small = addWithEqualDigits(atlas, *regular, small, kInterfaceRanges.data());
   atlas.Build();
   // The typefaces' bytes are ours and end here; the atlas is built and needs them no more.

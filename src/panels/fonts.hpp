@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -34,11 +35,13 @@ struct FontSet {
   std::unique_ptr<ImFontAtlas, AtlasEnd> atlas;
   Fonts fonts;
   double scale = 0.0;
+  std::set<char32_t> others;  // characters for which other fonts were asked, had or not
 };
 
 // For a content scale (clamped into the range above). On any thread, as long as there is no context
-// of Dear ImGui's. The pixels are the renderer's to upload.
-FontSet buildFonts(double contentScale);
+// of Dear ImGui's. The pixels are the renderer's to upload. `others`: characters beyond the
+// typeface's, as names of files have them; they come from whatever font is installed.
+FontSet buildFonts(double contentScale, const std::set<char32_t>& others = {});
 
 // The text as the fonts can show it: unchanged with Inter; otherwise « … − and their like become
 // plain ASCII.

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -98,6 +99,7 @@ struct UiMemory {
   float dragOffset = 0.0f;    // from the pointer to its knob
   std::string tooltipFor;     // the widget under the pointer …
   double tooltipSince = 0.0;  // … and since when
+  std::set<char32_t> foreign;  // characters in names that the typeface has no sign for
 };
 
 // Words in the current language for a key of the translation table; empty where it has none.
