@@ -46,7 +46,7 @@ int noWindow(const std::string& why, bool flightGiven) {
 // the system has no thread left, the editor makes them itself.
 std::future<FontSet> beginFonts() {
   try {
-    return std::async(std::launch::async, &buildFonts, 1.0);
+    return std::async(std::launch::async, [] { return buildFonts(1.0); });
   } catch (const std::system_error&) {
     return {};
   }
