@@ -75,7 +75,7 @@ void place(Form& form, const Session& session, Actions& actions) {
                 "show-window chooser-frames", session, actions);
 }
 
-// "Frames 0–776 · 777 frames · 31.08 s · 25 fps".
+// "0–776 · 777 frames · 31.08 s · 25 fps".
 std::string amount(const Ui& ui, const Session& session) {
   const std::int64_t frames =
       frameCountOf(session.frameOutput().options, session.evaluation().frameCount());

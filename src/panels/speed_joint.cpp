@@ -76,8 +76,8 @@ std::string beyondWords(const Ui& ui, const Joint& joint) {
   if (!joint.value) return "";
   const std::string value = speedValue(ui, *joint.value);
   const bool goesOn = joint.meeting == Joint::Meeting::kGoesOn;
-  const std::string here = goesOn ? speedValue(ui, joint.asFast) : value;
-  return here == value ? value : fmt::format("{} ({})", value, here);
+  if (!goesOn || speedValue(ui, joint.asFast) == value) return value;
+  return fmt::format("{} ({})", value, ui.number(joint.asFast, joint.asFast < 10.0 ? 1 : 0));
 }
 
 void idleNote(Ui& ui, const Rect& row, std::int64_t turns) {
@@ -86,11 +86,11 @@ void idleNote(Ui& ui, const Rect& row, std::int64_t turns) {
   const float room = row.width - ui.px(12);
   const bool fits = ui.textWidth(whole, Weight::kSmall) <= room;
   const std::string words = fits ? whole : ui.tell(Text("speed.idle-brief", {turns}));
-  ui.text({row.x + ui.px(6), row.y, room, row.height}, words,
-          {.colour = ColourRole::kText,
-           .weight = Weight::kSmall,
-           .align = Align::kCentre,
-           .mayShorten = true});
+  // The curve runs behind it.
+  const float width = std::min(room, ui.textWidth(words, Weight::kSmall) + ui.px(8));
+  const Rect box{std::round(row.centreX() - width / 2), row.y, width, row.height};
+  ui.fill(box, ColourRole::kPanel, 3.0f);
+  ui.text(box, words, {.weight = Weight::kSmall, .align = Align::kCentre, .mayShorten = true});
   ui.shows("speed/idle", row, whole);
 }
 

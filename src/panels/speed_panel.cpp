@@ -59,10 +59,6 @@ void smallCurve(Ui& ui, const Rect& rect, const Session& session, bool owns, Act
     drawEnd(ui, inner, session, SectionEnd::kStart, place);
     drawEnd(ui, inner, session, SectionEnd::kEnd, place);
   }
-  if (owns) {
-    const auto turns = session.evaluation().idleTurns(session.current());
-    idleNote(ui, {rect.x, rect.y + ui.px(2), rect.width, ui.px(16)}, turns);
-  }
   const float half = std::round(2.5f * ui.scale());
   for (int j = 0; j < kSpeedValues; ++j) {
     const ImVec2 at = place(j / 9.0, curve.values()[static_cast<std::size_t>(j)]);
@@ -71,6 +67,10 @@ void smallCurve(Ui& ui, const Rect& rect, const Session& session, bool owns, Act
     list.AddRectFilled(low, high, ui.colour(ColourRole::kHandleFill));
     list.AddRect(low, high, ui.colour(owns ? ColourRole::kText : ColourRole::kTextDisabled), 0.0f,
                  0, std::max(1.0f, ui.scale()));
+  }
+  if (owns) {
+    const auto turns = session.evaluation().idleTurns(session.current());
+    idleNote(ui, {rect.x, rect.y + ui.px(2), rect.width, ui.px(16)}, turns);
   }
   if (state.hovered && owns && canRun(session, "show-window speed"))
     ui.outline(rect, ColourRole::kControlHovered, 3.0f);

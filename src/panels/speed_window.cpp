@@ -100,8 +100,15 @@ void fields(Ui& ui, const Rect& rect, const Rect& row, const Session& session,
   const auto neighbour = [&](const char* id, int column, const Joint& joint) {
     const std::string words = beyondWords(ui, joint);
     if (words.empty()) return;
-    ui.text(box(column), words,
-            {.colour = ColourRole::kTextSecondary, .align = Align::kCentre, .mayShorten = true});
+    const bool fits = ui.textWidth(words) <= box(column).width;
+    // In small it may stand out into the free room beside the graph.
+    Rect room = box(column);
+    if (!fits) room = {room.x - ui.px(4), room.y, room.width + ui.px(8), room.height};
+    ui.text(room, words,
+            {.colour = ColourRole::kTextSecondary,
+             .weight = fits ? Weight::kRegular : Weight::kSmall,
+             .align = Align::kCentre,
+             .mayShorten = true});
     ui.shows(id, box(column), words);
   };
   if (!memory.graph) return;
