@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/editor_parts.hpp"
-#include "scene/obj_reader.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace vides {
 namespace {
@@ -60,6 +60,7 @@ SessionSeams seamsOf(const EditorOptions& options) {
   seams.clipboard = options.clipboard;
   seams.setClipboard = options.setClipboard;
   seams.ran = options.ran;
+  seams.said = options.said;
   seams.readsInBackground = !options.waitForWork;
   return seams;
 }

@@ -59,6 +59,8 @@ struct SessionSeams {
   std::function<void(const std::string&)> setClipboard;
   // Told of every command that did what it says, also of those that preview.
   std::function<void(const Command&)> ran;
+  // Told of everything that comes into the output line, also where the next message hides it.
+  std::function<void(MessageKind, const Text&)> said;
   std::size_t historyBytes = History::kMostBytes;
   // Whether a large scene may be read while it goes on; else whatever reads one waits for it.
   bool readsInBackground = false;
@@ -132,6 +134,9 @@ class Session {
   // The flight's scenes as far as they have been read: large ones come later. What can't be read is
   // left out, and told once in the output line.
   std::vector<SharedDrawable> scenes();
+  // Of each of them in the flight's order, as scenes() found them last: what came of reading it;
+  // null where that hasn't begun.
+  std::vector<SharedReading> sceneReadings() const { return scenes_.readings(); }
   // What is being read, for scenes() or an import.
   struct Reading {
     std::string file;   // the name of the first one
