@@ -11,8 +11,8 @@ namespace vides {
 
 // What `I` does: at the playhead's frame.
 EditResult insertAtFrame(const EditState& state, std::int64_t frame);
-// The same at a place of the curve: a fraction (0 to 1) of the arc length of the section that begins
-// at key `after`.
+// The same at a place of the curve: a fraction (0 to 1) of the arc length of the section that
+// begins at key `after`.
 EditResult insertAtPlace(const EditState& state, std::size_t after, double fraction);
 
 // Refused so where the new key would stand outside the cube.

@@ -28,15 +28,6 @@ const Orientation& orientationAt(const Flight& flight, const OrientationPlace& p
   return flight.keys[place.key].orientations[place.orientation];
 }
 
-bool tracks(const Flight& flight, const Section& section) {
-  if (section.kind != SectionKind::kMove) return false;
-  if (flight.orientationCurve != OrientationCurve::kSmooth) return false;
-  const Orientation& a = orientationAt(flight, section.from);
-  const Orientation& b = orientationAt(flight, section.to);
-  return a.aimMode == AimMode::kAbsolute && b.aimMode == AimMode::kAbsolute &&
-         glm::length(a.aim - b.aim) < kSame;
-}
-
 // The distance at which an aim stands from its key: the old one's, but near enough that its
 // coordinates are within the file's range, and far enough that they tell the VPN to 1e-10.
 double reachOf(const Orientation& o, const Camera& camera, double distance) {
@@ -58,16 +49,12 @@ Orientation orientationAtMoment(const Flight& flight, const Moment& moment, cons
   Orientation o = old;
   o.hold = 0.0;
   o.extra.reset();
-  // The old aim stays where the camera still looks to it: numbers remain as they were typed.
+  // The old aim stays where the camera looks to it, as in a tracking move: typed numbers remain.
   const Vec3 toAim = aimOffset(key, o);
   const double distance = glm::length(toAim);
-  const bool keeps =
-      distance >= limits::kAimDistance &&
-      (tracks(flight, moment.section) || glm::length(toAim / distance - vpn) < 1e-12);
-  const double zoom = moment.camera.zoom;
-  if (keeps && glm::length(glm::normalize(toAim) - vpn) < 1e-11) {
+  if (distance >= limits::kAimDistance && glm::length(toAim / distance - vpn) < 1e-12) {
     o.roll = rollOf(moment.camera, key, o);
-    o.zoom = zoom;
+    o.zoom = moment.camera.zoom;
   } else {
     lookAs(moment.camera, key, reachOf(o, moment.camera, glm::length(offset)), o);
   }
@@ -134,9 +121,8 @@ void addNeighbours(const Evaluation& evaluation, const Section& divided, const S
 }
 
 // With the new key or orientation in its place, the halves' frames to be settled.
-tl::expected<Division, DivisionRefusal> divided(const Evaluation& evaluation,
-                                                const Moment& moment, const Shift& shift,
-                                                Flight flight) {
+tl::expected<Division, DivisionRefusal> divided(const Evaluation& evaluation, const Moment& moment,
+                                                const Shift& shift, Flight flight) {
   const Section& section = moment.section;
   const SpeedCurve& speed = evaluation.speedCurve(section.from);
   const auto frames = static_cast<double>(section.frames);
@@ -204,10 +190,9 @@ tl::expected<Division, DivisionRefusal> withOrientation(const Evaluation& evalua
   Flight result = flight;
   result.keys.set(from.key, std::move(key));
   if (!rests) return divided(evaluation, moment, shift, std::move(result));
-  settleTimedParts(
-      result, evaluation.updated(result),
-      {{from, true, moment.frames, std::nullopt},
-       {shift.inserted, true, moment.section.frames - moment.frames, whole}});
+  settleTimedParts(result, evaluation.updated(result),
+                   {{from, true, moment.frames, std::nullopt},
+                    {shift.inserted, true, moment.section.frames - moment.frames, whole}});
   return Division{std::move(result), shift.inserted};
 }
 
@@ -231,8 +216,7 @@ tl::expected<Moment, DivisionRefusal> momentAt(const Evaluation& evaluation, std
                                                double fraction) {
   if (piece >= evaluation.pieceCount()) return tl::unexpected(DivisionRefusal::kNoSuchPiece);
   const KeyList& keys = evaluation.flight().keys;
-  const auto section =
-      evaluation.sectionFrom({piece, keys[piece].orientations.size() - 1});
+  const auto section = evaluation.sectionFrom({piece, keys[piece].orientations.size() - 1});
   const double length = evaluation.pieceLength(piece);
   if (!section || section->kind != SectionKind::kMove ||
       std::min(fraction, 1.0 - fraction) * length < kSame) {
@@ -245,8 +229,7 @@ tl::expected<Moment, DivisionRefusal> momentAt(const Evaluation& evaluation, std
   // On a frame it is the frame's camera to the last bit.
   const double near = std::round(moment.time);
   if (std::abs(moment.time - near) < 1e-7 && near > 0.0 && near < frames) moment.time = near;
-  moment.camera =
-      evaluation.cameraBetween(static_cast<double>(section->firstFrame) + moment.time);
+  moment.camera = evaluation.cameraBetween(static_cast<double>(section->firstFrame) + moment.time);
   if (section->frames < 2) return moment;
   moment.frames = std::clamp<std::int64_t>(std::llround(moment.time), 1, section->frames - 1);
   return moment;

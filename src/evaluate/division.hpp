@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dividing what happens at a moment of the film by a key or an orientation there (2-flight-model and
-// 5-editor, "Insert at the playhead").
+// Dividing what happens at a moment of the film by a key or an orientation there (2-flight-model
+// and 5-editor, "Insert at the playhead").
 //
 // The film stays: as many frames in all, the divided moment on the same frame, and up to it and
 // from it on the same shares of the way, frame by frame, as nearly as ten speeds can say it. Only

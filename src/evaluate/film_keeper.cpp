@@ -12,8 +12,8 @@
 namespace vides {
 namespace {
 
-// Shares that differ by less look the same: a little within what is promised (1e-3). Of a neighbour,
-// whose curve has bent anyway, they may differ more before it must leave its rate.
+// Shares that differ by less look the same: a little within what is promised (1e-3). Of a
+// neighbour, whose curve has bent anyway, they may differ more before it must leave its rate.
 constexpr double kSameShares = 8e-4;
 constexpr double kSameNeighbour = 6e-3;
 // Frames by rate are rounded: how far from the whole number a section may be without and with new
@@ -73,8 +73,11 @@ double wantedMean(const Course& course, double work, const SpeedValues& values) 
   return std::clamp(mean, work / (frames + kNearEnough), work / (frames - kNearEnough));
 }
 
-// Whether the section has its frames with the speeds that it had.
-bool keepsFrames(const Evaluation& evaluation, const Course& course) {
+// Whether the section runs as it did with the speeds that it had: on as many frames, and with the
+// same neighbours' speeds (a half may be of another kind than the whole).
+bool staysAsItIs(const Evaluation& evaluation, const Course& course) {
+  if (!(evaluation.speedCurve(course.place) == course.speed)) return false;
+  if (!course.byRate) return true;
   const auto work = workByRate(evaluation, course.place);
   if (!work) return false;
   const double natural = *work / course.speed.mean();
@@ -121,8 +124,7 @@ void Keeper::setDuration(Flight& flight, const OrientationPlace& place,
 bool Keeper::begin(const Way& way, Try& t) const {
   t.flight = film_.flight;
   const auto timed = [&](const Course& course, std::optional<double> together) {
-    setDuration(t.flight, course.place,
-                static_cast<double>(course.frames) / t.flight.frameRate);
+    setDuration(t.flight, course.place, static_cast<double>(course.frames) / t.flight.frameRate);
     t.timed.push_back({course.place, false, course.frames, together});
   };
   for (int i = 0; i < 2; ++i) {
@@ -135,8 +137,8 @@ bool Keeper::begin(const Way& way, Try& t) const {
   Evaluation evaluation = before_.updated(t.flight);
   std::vector<const Course*> neighbours;
   for (const Course& course : film_.neighbours) {
-    const bool stays = !course.byRate || keepsFrames(evaluation, course);
-    if (!stays && !way.neighboursByRate) {
+    const bool stays = staysAsItIs(evaluation, course);
+    if (!stays && course.byRate && !way.neighboursByRate) {
       timed(course, std::nullopt);
     } else if (!stays || way.allNeighbours) {
       neighbours.push_back(&course);
@@ -231,8 +233,10 @@ bool Keeper::sameFilm(const Evaluation& evaluation) const {
     const auto section = evaluation.sectionFrom(course.place);
     return section && section->frames == course.frames;
   };
+  // A timed neighbour may have given way to halves that count as a frame each.
   return keeps(film_.halves[0]) && keeps(film_.halves[1]) &&
-         std::all_of(film_.neighbours.begin(), film_.neighbours.end(), keeps);
+         std::all_of(film_.neighbours.begin(), film_.neighbours.end(),
+                     [&](const Course& course) { return !course.byRate || keeps(course); });
 }
 
 void Keeper::attempt(const Way& way) {

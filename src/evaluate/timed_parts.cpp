@@ -5,31 +5,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evaluate/frame_sum.hpp"
+
 namespace vides {
 namespace {
 
-// Parts of a frame are counted in these units.
-constexpr std::int64_t kUnit = std::int64_t{1} << 24;
+constexpr FrameParts kFrame = FrameSum::kFrame;
 
-std::int64_t unitsOf(double frames) {
-  return static_cast<std::int64_t>(std::floor(frames * static_cast<double>(kUnit) + 0.5));
+std::int64_t framesAt(FrameParts parts) { return (parts + kFrame / 2) >> FrameSum::kBits; }
+
+FrameParts leastOf(bool hold) { return hold ? kFrame / 2 : kFrame; }
+
+FrameParts partsOf(double seconds, double rate, bool hold) {
+  return FrameSum::partsOf(hold ? seconds * rate : std::max(1.0, seconds * rate));
 }
 
-std::int64_t framesAt(std::int64_t units) {
-  return static_cast<std::int64_t>(
-      std::floor(static_cast<double>(units) / static_cast<double>(kUnit) + 0.5));
-}
-
-std::int64_t sectionUnits(double seconds, double rate) {
-  return unitsOf(std::max(1.0, seconds * rate));
-}
-
-// Seconds that are these units: `wanted`, a shorter number perhaps, where it is as good.
-double secondsOf(std::int64_t units, double rate, double wanted) {
-  if (unitsOf(wanted * rate) == units) return wanted;
-  double seconds = static_cast<double>(units) / static_cast<double>(kUnit) / rate;
-  while (unitsOf(seconds * rate) < units) seconds = std::nextafter(seconds, 1e6);
-  while (unitsOf(seconds * rate) > units) seconds = std::nextafter(seconds, 0.0);
+// Seconds that are so many parts: `wanted`, a shorter number perhaps, where it is as good.
+double secondsOf(FrameParts parts, double rate, double wanted) {
+  if (FrameSum::partsOf(wanted * rate) == parts) return wanted;
+  double seconds = static_cast<double>(parts) / static_cast<double>(kFrame) / rate;
+  while (FrameSum::partsOf(seconds * rate) < parts) seconds = std::nextafter(seconds, 1e6);
+  while (FrameSum::partsOf(seconds * rate) > parts) seconds = std::nextafter(seconds, 0.0);
   return seconds;
 }
 
@@ -49,16 +45,19 @@ class Stretch {
   bool byRate(const OrientationPlace& place) const {
     return !at(place).duration && evaluation_.sectionFrom(place);
   }
+  // Walks over a hold or a section, which may be one of the parts.
   void step(const OrientationPlace& place, bool hold, std::vector<bool>& met);
+  // Sets a part; its length.
+  FrameParts settled(std::vector<TimedPart>::const_iterator part);
   void set(const OrientationPlace& place, bool hold, double seconds);
 
   Flight& flight_;
   const Evaluation& evaluation_;
   const std::vector<TimedPart>& parts_;
   double rate_;
-  std::int64_t end_ = 0;      // of what has been walked through, units
-  std::int64_t before_ = 0;   // the end before the last one
-  std::int64_t missing_ = 0;  // units by which the last part ends too late
+  FrameParts end_ = 0;     // of what has been walked through
+  FrameParts before_ = 0;  // the end before the last one
+  FrameParts late_ = 0;    // by how much the last part ends too late
   double lastSeconds_ = 0.0;
 };
 
@@ -86,39 +85,42 @@ void Stretch::set(const OrientationPlace& place, bool hold, double seconds) {
   flight_.keys.set(place.key, std::move(key));
 }
 
+FrameParts Stretch::settled(const std::vector<TimedPart>::const_iterator part) {
+  FrameParts wanted = (framesAt(end_) + part->frames) * kFrame;
+  double shown = static_cast<double>(part->frames) / rate_;
+  if (part->together) {
+    wanted = before_ + partsOf(*part->together, rate_, part->hold);
+    shown = *part->together - lastSeconds_;
+  }
+  const FrameParts least = leastOf(part->hold);
+  FrameParts most = wanted - end_;
+  // The second half needs its least too.
+  if (const auto second = part + 1; second != parts_.end() && second->together) {
+    most = std::min(most, partsOf(*second->together, rate_, part->hold) - least);
+  }
+  const FrameParts length = std::max(most, least);
+  late_ = end_ + length - wanted;
+  set(part->place, part->hold, secondsOf(length, rate_, shown));
+  return length;
+}
+
 void Stretch::step(const OrientationPlace& place, bool hold, std::vector<bool>& met) {
   const double seconds = hold ? at(place).hold : *at(place).duration;
-  std::int64_t units = hold ? unitsOf(seconds * rate_) : sectionUnits(seconds, rate_);
-  const std::int64_t least = hold ? kUnit / 2 : kUnit;
+  FrameParts length = partsOf(seconds, rate_, hold);
   const auto part = std::find_if(parts_.begin(), parts_.end(), [&](const TimedPart& p) {
     return p.place == place && p.hold == hold;
   });
   if (part != parts_.end()) {
     met[static_cast<std::size_t>(part - parts_.begin())] = true;
-    std::int64_t wanted = (framesAt(end_) + part->frames) * kUnit;
-    double shown = static_cast<double>(part->frames) / rate_;
-    if (part->together) {
-      const double together = *part->together;
-      wanted = before_ + (hold ? unitsOf(together * rate_) : sectionUnits(together, rate_));
-      shown = together - lastSeconds_;
-    }
-    // The second half needs its least too.
-    std::int64_t most = wanted - end_;
-    if (const auto second = part + 1; second != parts_.end() && second->together) {
-      most = (hold ? unitsOf(*second->together * rate_) : sectionUnits(*second->together, rate_)) -
-             least;
-    }
-    units = std::max(std::min(wanted - end_, most), least);
-    missing_ = end_ + units - wanted;
-    set(place, hold, secondsOf(units, rate_, shown));
-  } else if (missing_ != 0) {
-    const std::int64_t shorter = std::max(units - missing_, least);
-    missing_ -= units - shorter;
-    units = shorter;
-    set(place, hold, secondsOf(units, rate_, seconds));
+    length = settled(part);
+  } else if (late_ != 0) {
+    const FrameParts shorter = std::max(length - late_, leastOf(hold));
+    late_ -= length - shorter;
+    length = shorter;
+    set(place, hold, secondsOf(length, rate_, seconds));
   }
   before_ = end_;
-  end_ += units;
+  end_ += length;
 }
 
 void Stretch::settle(OrientationPlace place, std::vector<bool>& met) {

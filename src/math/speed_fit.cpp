@@ -163,8 +163,8 @@ bool Fit::improve(std::vector<Rows>& rows, double& damping) {
   std::vector<bool> held(n);
   for (std::size_t a = 0; a < n; ++a) {
     const double value = at(free_[a]);
-    held[a] = (value <= kMinSpeed && gradient_[a] > 0.0) ||
-              (value >= kMaxSpeed && gradient_[a] < 0.0);
+    held[a] =
+        (value <= kMinSpeed && gradient_[a] > 0.0) || (value >= kMaxSpeed && gradient_[a] < 0.0);
   }
   const double before = cost(rows);
   std::vector<SpeedValues> old;
