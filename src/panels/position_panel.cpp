@@ -79,7 +79,7 @@ void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actio
     if (next > 0 || session.flight().closed) {
       shapeRow(ui, rows, session, next, false, actions);
     } else {
-      rows.row(kRow);
+      static_cast<void>(threeNumbers(ui, rows));
     }
     rows.gap(4);
     commandButton(ui, "position/change", rows.row(kRow), "show-window shape", session, actions);

