@@ -128,6 +128,17 @@ bool Editor::Parts::typing() const {
   return !memory.editing.empty() || ImGui::GetIO().WantTextInput;
 }
 
+// In "insert how many" a digit inserts that many at once, 0 ten.
+bool Editor::Parts::countChosen(const KeyChanged& change) {
+  const std::optional<int> digit = digitOf(change.key);
+  const bool asked = !session.question() && !session.windows().empty() &&
+                     session.windows().back() == "insert-keys";
+  if (!digit || !asked || change.repeated || change.modifiers != Modifiers{}) return false;
+  run(Command("close-window", "insert-keys"));
+  run(Command("insert-keys", *digit == 0 ? 10 : *digit));
+  return true;
+}
+
 bool Editor::Parts::keyChanged(const KeyChanged& change) {
   if (change.pressed && !session.menu().empty() && !dragging()) {
     menus.key(change);
@@ -144,6 +155,7 @@ bool Editor::Parts::keyChanged(const KeyChanged& change) {
   if (keyOfFocus(change)) return true;
   // The chooser has all keys for itself, unless something is asked.
   if (!windowsMemory.chooser.window.empty() && !session.question()) return false;
+  if (countChosen(change)) return false;
   const Shortcut* shortcut = shortcutFor(change.key, change.modifiers, change.repeated);
   if (shortcut == nullptr) return false;
   if (options.pressed) options.pressed(*shortcut);

@@ -122,6 +122,7 @@ struct Editor::Parts {
   void putBack();
   // A command that comes from outside of panels: by a key, a file that is dropped, as text.
   bool ask(const Command& command);
+  bool countChosen(const KeyChanged& change);
   std::string shortcutOf(std::string_view commandLine) const;
   // editor_window.cpp
   Ui::Setting uiSetting();

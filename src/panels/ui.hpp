@@ -93,6 +93,7 @@ enum class Icon {
   kChevronDown,
   kChevronUp,
   kLoop,
+  kInsert,
   kClose
 };
 
