@@ -166,7 +166,10 @@ bool Editor::Parts::apply(const Actions& actions) {
       continue;
     }
     if (!session.inDrag()) session.begin({});
-    done = session.preview(step.command) && done;
+    using On = Session::PreviewOn;
+    if (step.phase != Phase::kCancel) {
+      done = session.preview(step.command, step.fromStart ? On::kStart : On::kShown) && done;
+    }
     if (step.phase == Phase::kCommit) session.commit();
     if (step.phase == Phase::kCancel) session.cancel();
   }
