@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/editor_parts.hpp"
-#include "scene/obj_reader.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace vides {
 namespace {

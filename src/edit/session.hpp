@@ -132,6 +132,9 @@ class Session {
   // The flight's scenes as far as they have been read: large ones come later. What can't be read is
   // left out, and told once in the output line.
   std::vector<SharedDrawable> scenes();
+  // Of each of them in the flight's order, as scenes() found them last: what came of reading it;
+  // null where that hasn't begun.
+  std::vector<SharedReading> sceneReadings() const { return scenes_.readings(); }
   // What is being read, for scenes() or an import.
   struct Reading {
     std::string file;   // the name of the first one

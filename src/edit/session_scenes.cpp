@@ -5,45 +5,13 @@
 #include <string>
 
 #include "edit/folder.hpp"
+#include "edit/scene_texts.hpp"
 #include "edit/session_actions.hpp"
 
 namespace vides {
 namespace {
 
 using Result = SessionActions::Result;
-
-// The sentence for what is wrong with a scene.
-Text problemText(const std::string& file, const SceneProblem& problem) {
-  const Text what = [&]() -> Text {
-    switch (problem.fault) {
-      case SceneFault::kUnreadable:
-        return Text("scene.unreadable", {problem.found});
-      case SceneFault::kNotAFile:
-        return "scene.no-file";
-      case SceneFault::kTooLarge:
-        return Text("scene.too-large", {static_cast<std::int64_t>(kMostSceneBytes)});
-      case SceneFault::kUnknownFormat:
-        return Text("scene.unknown-format", {problem.found});
-      case SceneFault::kNumber:
-        return Text("scene.number", {problem.found});
-      case SceneFault::kIndex:
-        return Text("scene.index", {problem.found});
-      case SceneFault::kNoSuchVertex:
-        return Text("scene.no-such-vertex", {problem.found});
-      case SceneFault::kTooFew:
-        return Text("scene.too-few", {problem.found});
-      case SceneFault::kTooMany:
-        return "scene.too-many";
-      case SceneFault::kNothing:
-        return "scene.nothing";
-      case SceneFault::kCancelled:
-        break;
-    }
-    return "scene.cancelled";
-  }();
-  if (problem.line == 0) return Text("error.scene", {file, what});
-  return Text("error.scene-line", {file, problem.line, what});
-}
 
 }  // namespace
 
@@ -69,7 +37,7 @@ Result SessionActions::finishImport(Session& session, const Session::Import& imp
   if (!scene) {
     const bool cancelled = scene.error().fault == SceneFault::kCancelled;
     Text why = cancelled ? Text("output.import-cancelled", {fileName(import.path)})
-                         : problemText(import.path, scene.error());
+                         : sceneProblemText(import.path, scene.error());
     session.say(cancelled ? MessageKind::kDone : MessageKind::kError, why);
     return tl::unexpected(std::move(why));
   }
@@ -114,14 +82,21 @@ std::vector<SharedDrawable> Session::scenes() {
     }
   }
   std::vector<SharedDrawable> scenes = scenes_.scenes(scenePaths_, document_);
-  for (const SharedReading& reading : scenes_.takeRefused()) {
+  const auto nameOf = [&](const SharedReading& reading) -> const std::string& {
     const auto place = std::ranges::find(scenePaths_, reading->file()) - scenePaths_.begin();
-    const std::string& name = sceneFiles_[static_cast<std::size_t>(place)].file;
+    return sceneFiles_[static_cast<std::size_t>(place)].file;
+  };
+  for (const SharedReading& reading : scenes_.takeNoted()) {
+    const SceneReport& report = (**reading->result())->report();
+    say(MessageKind::kDone, Text("error.scene", {nameOf(reading), sceneNotesText(report.notes)}));
+  }
+  for (const SharedReading& reading : scenes_.takeRefused()) {
+    const std::string& name = nameOf(reading);
     const SceneProblem& problem = reading->result()->error();
     const bool cancelled = problem.fault == SceneFault::kCancelled;
     say(cancelled ? MessageKind::kDone : MessageKind::kError,
         cancelled ? Text("output.reading-cancelled", {fileName(name)})
-                  : problemText(name, problem));
+                  : sceneProblemText(name, problem));
   }
   return scenes;
 }

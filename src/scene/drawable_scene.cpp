@@ -232,6 +232,7 @@ struct SeenTile {
 std::shared_ptr<const DrawableScene> DrawableScene::make(const SceneGeometry& scene,
                                                          const KeepGoing& keepGoing) {
   auto result = std::make_shared<DrawableScene>();
+  result->report_ = scene.report;
   const auto bounds = boundsOf(scene.positions);
   if (!bounds) return result;
   const BoundingBox& box = result->box_ = *bounds;

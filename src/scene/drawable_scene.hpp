@@ -16,7 +16,7 @@
 
 #include "math/view_projection.hpp"
 #include "scene/draw_list.hpp"
-#include "scene/obj_reader.hpp"
+#include "scene/scene_reader.hpp"
 #include "scene/scene_geometry.hpp"
 
 namespace vides {
@@ -49,11 +49,14 @@ class DrawableScene {
   const Placement& place() const { return place_; }
   // Of all positions.
   const BoundingBox& box() const { return box_; }
+  // What its reading told.
+  const SceneReport& report() const { return report_; }
 
  private:
   Tiles edges_, positions_, points_;
   Placement place_;
   BoundingBox box_;
+  SceneReport report_;
 };
 using SharedDrawable = std::shared_ptr<const DrawableScene>;
 

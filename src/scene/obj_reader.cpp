@@ -2,104 +2,30 @@
 // Reads OBJ statement by statement, in one pass over the text.
 #include "scene/obj_reader.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
+
+#include "flight/text_encoding.hpp"
+#include "scene/obj_numbers.hpp"
+#include "scene/obj_statements.hpp"
 
 namespace vides {
 namespace {
 
-constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\0'; }
-
-// For a message: the first characters, without what would upset a terminal.
-std::string shown(std::string_view text) {
-  constexpr std::size_t kMost = 32;
-  std::string result(text.substr(0, kMost));
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
-  }
-  return text.size() > kMost ? result + "..." : result;
+// What looks, names and groups are made of. All other words, free-form curves and surfaces among
+// them, would be drawn and aren't, or mean nothing.
+bool isPassedOver(std::string_view keyword) {
+  static constexpr std::array<std::string_view, 20> kWords{
+      "vt",       "vn",       "vp",      "g",       "o",          "s",         "usemtl",
+      "mtllib",   "mg",       "bevel",   "usemap",  "maplib",     "c_interp",  "d_interp",
+      "lod",      "ctech",    "stech",   "shadow_obj", "trace_obj", "group"};
+  return std::ranges::find(kWords, keyword) != kWords.end();
 }
-
-// The words of one statement. A backslash before the line's end goes on in the next line.
-class Statements {
- public:
-  explicit Statements(std::string_view text) : rest_(text), size_(text.size()) {}
-
-  // False after the last line.
-  bool nextLine() {
-    skipLine();
-    if (rest_.empty()) return false;
-    ++line_;
-    atEnd_ = false;
-    return true;
-  }
-
-  // The next word of the line; empty at its end.
-  std::string_view word() {
-    skipBlanks();
-    if (atEnd_) return {};
-    std::size_t length = 0;
-    while (length < rest_.size() && !isBlank(rest_[length]) && rest_[length] != '\n' &&
-           rest_[length] != '#' && !continuesAt(length)) {
-      ++length;
-    }
-    const std::string_view result = rest_.substr(0, length);
-    rest_.remove_prefix(length);
-    return result;
-  }
-
-  std::int64_t line() const { return line_; }
-  // How much of the text has been read, 0 to 1.
-  double share() const {
-    return 1.0 - static_cast<double>(rest_.size()) / static_cast<double>(size_);
-  }
-
- private:
-  // The length of a continuation mark at this place, or 0.
-  std::size_t continuesAt(std::size_t at) const {
-    if (rest_[at] != '\\') return 0;
-    if (at + 1 < rest_.size() && rest_[at + 1] == '\n') return 2;
-    if (at + 2 < rest_.size() && rest_[at + 1] == '\r' && rest_[at + 2] == '\n') return 3;
-    return 0;
-  }
-
-  void skipBlanks() {
-    while (!atEnd_) {
-      if (rest_.empty() || rest_.front() == '\n' || rest_.front() == '#') {
-        atEnd_ = true;
-      } else if (const std::size_t length = continuesAt(0)) {
-        rest_.remove_prefix(length);
-        ++line_;
-      } else if (isBlank(rest_.front())) {
-        rest_.remove_prefix(1);
-      } else {
-        return;
-      }
-    }
-  }
-
-  // A comment and a statement that is passed over go on in the next line, too.
-  void skipLine() {
-    if (line_ == 0) return;
-    while (!rest_.empty() && rest_.front() != '\n') {
-      const std::size_t length = continuesAt(0);
-      if (length > 0) ++line_;
-      rest_.remove_prefix(length > 0 ? length : 1);
-    }
-    if (!rest_.empty()) rest_.remove_prefix(1);
-  }
-
-  std::string_view rest_;
-  std::size_t size_;  // of the whole text
-  std::int64_t line_ = 0;
-  bool atEnd_ = true;
-};
 
 class Reader {
  public:
@@ -113,20 +39,13 @@ class Reader {
         tell = statements_.line() + kBetween;
         if (!keepGoing_(kFinishing * statements_.share())) return cancelled();
       }
-      const std::string_view keyword = statements_.word();
-      if (keyword == "v") {
-        readVertex();
-      } else if (keyword == "f") {
-        readFace();
-      } else if (keyword == "l") {
-        readLine();
-      } else if (keyword == "p") {
-        readPoints();
-      }
+      readStatement();
     }
-    if (!problem_ && scene_.positions.empty()) problem_ = SceneProblem{SceneFault::kNothing, 0, ""};
+    if (!problem_) findMissingVertices();
+    if (!problem_) findUsedBadVertices();
     if (problem_) return tl::unexpected(std::move(*problem_));
-    finishScene(scene_);
+    finish();
+    if (problem_) return tl::unexpected(std::move(*problem_));
     if (keepGoing_ && !keepGoing_(1.0)) return cancelled();
     return std::move(scene_);
   }
@@ -134,117 +53,180 @@ class Reader {
  private:
   // Finishing begins at this share.
   static constexpr double kFinishing = 0.8;
+  static constexpr auto kMostVertices = std::numeric_limits<std::int32_t>::max();
+
+  // Where a word stands that may turn out to be a fault.
+  struct Place {
+    std::int64_t line = 0;
+    std::uint32_t vertex = 0;  // from 0
+    std::string_view word;
+  };
 
   static ReadScene cancelled() {
     return tl::unexpected(SceneProblem{SceneFault::kCancelled, 0, ""});
   }
 
-  void fail(SceneFault fault, std::string_view found) {
-    problem_ = SceneProblem{fault, statements_.line(), shown(found)};
+  void fail(SceneFault fault, std::string_view found) { fail(fault, statements_.line(), found); }
+  void fail(SceneFault fault, std::int64_t line, std::string_view found) {
+    problem_ = SceneProblem{fault, line, shownWord(found)};
   }
 
-  // x, y, z; a weight or a colour behind them is passed over.
-  void readVertex() {
-    Vec3 position;
-    for (int i = 0; i < 3; ++i) {
-      std::string_view word = statements_.word();
-      const std::string_view whole = word;
-      if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-      const auto [end, error] = std::from_chars(word.begin(), word.end(), position[i]);
-      // Numbers too small for a double are as good as 0.
-      const bool tiny = error == std::errc::result_out_of_range && isTiny(word);
-      if (tiny) position[i] = 0.0;
-      if ((error != std::errc() && !tiny) || end != word.end() || !std::isfinite(position[i])) {
-        return fail(SceneFault::kNumber, whole);
-      }
+  // Something is left out.
+  void note(SceneRemark remark, std::string_view word) {
+    SceneNote& note = notes_[static_cast<std::size_t>(remark)];
+    if (note.count++ > 0) return;
+    note.remark = remark;
+    note.line = statements_.line();
+    note.found = shownWord(word);
+  }
+
+  void readStatement() {
+    const std::string_view keyword = statements_.word();
+    if (keyword.empty()) return;
+    if (keyword == "v") {
+      readVertex();
+    } else if (keyword == "f") {
+      if (readIndices(3)) addFace();
+    } else if (keyword == "l") {
+      if (readIndices(2)) addLine();
+    } else if (keyword == "p") {
+      if (readIndices(1)) addPoints();
+    } else if (!isPassedOver(keyword)) {
+      note(SceneRemark::kUnknownLines, keyword);
     }
-    if (scene_.positions.size() >= std::numeric_limits<std::int32_t>::max()) {
-      return fail(SceneFault::kTooMany, "");
+  }
+
+  // x y, x y z, x y z w, x y z r g b, x y z r g b a; what follows the z is passed over.
+  void readVertex() {
+    Vec3 position(0.0);
+    std::string_view bad;
+    int count = 0;
+    for (auto word = statements_.word(); !word.empty(); word = statements_.word(), ++count) {
+      const auto number = objNumber(word);
+      if (!number) return fail(SceneFault::kNumber, word);
+      if (count > 2) continue;
+      position[count] = *number;
+      if (!std::isfinite(*number) && bad.empty()) bad = word;
+    }
+    if (count < 2 || count == 5 || count > 7) {
+      return fail(SceneFault::kCoordinates, std::to_string(count));
+    }
+    if (scene_.positions.size() >= kMostVertices) return fail(SceneFault::kTooMany, "");
+    if (!bad.empty()) {
+      bad_.push_back({statements_.line(), static_cast<std::uint32_t>(scene_.positions.size()), bad});
+      note(SceneRemark::kBadVertices, bad);
     }
     scene_.positions.push_back(position);
   }
 
-  // Which end of what a double holds a number lies beyond: its first digit that isn't 0 tells,
-  // before the point or behind it, moved by the exponent.
-  static bool isTiny(std::string_view word) {
-    const std::size_t e = std::min(word.find_first_of("eE"), word.size());
-    std::string_view exponent = word.substr(std::min(e + 1, word.size()));
-    if (exponent.starts_with('+')) exponent.remove_prefix(1);
-    std::int32_t shift = 0;
-    const auto read = std::from_chars(exponent.begin(), exponent.end(), shift);
-    // No file is long enough to make up for such an exponent.
-    if (read.ec == std::errc::result_out_of_range) return exponent.starts_with('-');
-    const std::size_t point = std::min(word.find('.'), e);
-    const auto before = static_cast<std::int64_t>(point) -
-                        static_cast<std::int64_t>(word.find_first_of("123456789"));
-    return before + shift < 0;
+  // The vertices that the statement names come into `indices_`. False where there are fewer than
+  // `least`, which is noted, or after a fault.
+  bool readIndices(std::size_t least) {
+    indices_.clear();
+    for (auto word = statements_.word(); !word.empty(); word = statements_.word()) {
+      if (!readIndex(word)) return false;
+    }
+    if (indices_.size() >= least) return true;
+    note(SceneRemark::kTooFewCorners, {});
+    return false;
   }
 
-  // The vertex that one index group ("7", "7/1/3", "-1//2") means; nothing at the statement's end
-  // or after a fault.
-  std::optional<std::uint32_t> readIndex() {
-    const std::string_view word = statements_.word();
-    if (word.empty()) return std::nullopt;
-    const std::string_view digits = word.substr(0, word.find('/'));
-    std::int64_t index = 0;
-    const auto [end, error] = std::from_chars(digits.begin(), digits.end(), index);
+  bool readIndex(std::string_view word) {
+    const auto index = objIndex(word);
     const auto count = static_cast<std::int64_t>(scene_.positions.size());
-    if (error == std::errc::result_out_of_range) {
-      fail(SceneFault::kNoSuchVertex, word);
-    } else if (error != std::errc() || end != digits.end() || index == 0) {
+    if (!index) {
       fail(SceneFault::kIndex, word);
-    } else if (index > count || index < -count) {
+    } else if (*index < -count || *index > kMostVertices) {
       fail(SceneFault::kNoSuchVertex, word);
     } else {
-      return static_cast<std::uint32_t>(index > 0 ? index - 1 : count + index);
+      indices_.push_back(static_cast<std::uint32_t>(*index > 0 ? *index - 1 : count + *index));
+      // It may come later. The first index that stays without a vertex is beyond all before it.
+      const bool farthest = ahead_.empty() || indices_.back() > ahead_.back().vertex;
+      if (*index > count && farthest) ahead_.push_back({statements_.line(), indices_.back(), word});
     }
-    return std::nullopt;
+    return !problem_;
   }
 
-  // All indices of the statement, at least `least`; empty after a fault.
-  const std::vector<std::uint32_t>& readIndices(std::size_t least) {
-    indices_.clear();
-    while (const auto index = readIndex()) indices_.push_back(*index);
-    if (!problem_ && indices_.size() < least) {
-      fail(SceneFault::kTooFew, std::to_string(indices_.size()));
+  void addFace() {
+    ++scene_.report.faces;
+    for (std::size_t i = 0; i < indices_.size(); ++i) {
+      scene_.edges.push_back({indices_[i], indices_[(i + 1) % indices_.size()]});
     }
-    if (problem_) indices_.clear();
-    return indices_;
-  }
-
-  void readFace() {
-    const auto& corners = readIndices(3);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      scene_.edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
-    }
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      scene_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    for (std::size_t i = 2; i < indices_.size(); ++i) {
+      scene_.triangles.push_back({indices_[0], indices_[i - 1], indices_[i]});
     }
   }
 
-  void readLine() {
-    const auto& places = readIndices(2);
-    for (std::size_t i = 1; i < places.size(); ++i) {
-      scene_.edges.push_back({places[i - 1], places[i]});
+  void addLine() {
+    ++scene_.report.lines;
+    for (std::size_t i = 1; i < indices_.size(); ++i) {
+      scene_.edges.push_back({indices_[i - 1], indices_[i]});
     }
   }
 
-  void readPoints() {
-    const auto& places = readIndices(1);
-    scene_.points.insert(scene_.points.end(), places.begin(), places.end());
+  void addPoints() {
+    scene_.report.points += static_cast<std::int64_t>(indices_.size());
+    scene_.points.insert(scene_.points.end(), indices_.begin(), indices_.end());
   }
 
-  Statements statements_;
+  void findMissingVertices() {
+    const auto missing = std::ranges::find_if(
+        ahead_, [&](const Place& place) { return place.vertex >= scene_.positions.size(); });
+    if (missing != ahead_.end()) fail(SceneFault::kNoSuchVertex, missing->line, missing->word);
+  }
+
+  void findUsedBadVertices() {
+    if (bad_.empty()) return;
+    std::vector<std::uint8_t> used(scene_.positions.size(), 0);
+    for (const auto& edge : scene_.edges) used[edge[0]] = used[edge[1]] = 1;
+    for (const auto point : scene_.points) used[point] = 1;
+    const auto first =
+        std::ranges::find_if(bad_, [&](const Place& place) { return used[place.vertex] != 0; });
+    if (first != bad_.end()) fail(SceneFault::kBadVertex, first->line, first->word);
+  }
+
+  void finish() {
+    for (SceneNote& note : notes_) {
+      if (note.count > 0) scene_.report.notes.push_back(note);
+    }
+    finishScene(scene_);
+    if (!scene_.empty()) return;
+    const SceneNote& unknown = notes_[static_cast<std::size_t>(SceneRemark::kUnknownLines)];
+    problem_ = bad_.empty()
+                   ? SceneProblem{SceneFault::kNothing, unknown.line, unknown.found}
+                   : SceneProblem{SceneFault::kNothingDrawn, bad_.front().line,
+                                  shownWord(bad_.front().word)};
+  }
+
+  ObjStatements statements_;
   const KeepGoing& keepGoing_;
   SceneGeometry scene_;
-  std::vector<std::uint32_t> indices_;
+  std::vector<std::uint32_t> indices_;  // of the statement
+  std::vector<Place> ahead_;            // indices of vertices that had not come yet, ascending
+  std::vector<Place> bad_;              // vertices that aren't finite
+  std::array<SceneNote, 3> notes_;      // by remark; count 0: none
   std::optional<SceneProblem> problem_;
 };
+
+ReadScene refused(SceneFault fault, std::int64_t line, std::string found) {
+  return tl::unexpected(SceneProblem{fault, line, std::move(found)});
+}
 
 }  // namespace
 
 ReadScene readObj(std::string_view text, const KeepGoing& keepGoing) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  const TextEncoding encoding = encodingOf(text);
+  if (encoding == TextEncoding::kUtf32) return refused(SceneFault::kEncoding, 0, name(encoding));
+  std::optional<std::string> converted;
+  if (encoding != TextEncoding::kUtf8) {
+    converted = utf8FromUtf16(text, encoding);
+    if (!converted) return refused(SceneFault::kEncoding, 0, name(encoding));
+    text = *converted;
+  }
+  text = withoutByteOrderMark(text);
+  if (const std::size_t nul = text.find('\0'); nul != text.npos) {
+    return refused(SceneFault::kNul, 1 + lineEnds(text.substr(0, nul)), "");
+  }
   return Reader(text, keepGoing).read();
 }
 

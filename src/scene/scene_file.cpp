@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "scene/obj_reader.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace vides {
 namespace {

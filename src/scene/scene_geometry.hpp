@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "math/vector.hpp"
+#include "scene/scene_report.hpp"
 
 namespace vides {
 
@@ -17,19 +18,24 @@ struct BoundingBox {
   bool operator==(const BoundingBox&) const = default;
 };
 
-// Every index is below positions.size(); every position is finite.
+// Every index is below positions.size(); every position is finite, and drawn by an edge or a point.
 struct SceneGeometry {
   std::vector<Vec3> positions;
   std::vector<std::array<std::uint32_t, 2>> edges;      // each once, first < second, sorted
   std::vector<std::array<std::uint32_t, 3>> triangles;  // faces cut into fans
-  std::vector<std::uint32_t> points;                    // single points that the file names
+  // Single points that the file names; all positions where it has nothing else to draw.
+  std::vector<std::uint32_t> points;
   // Of all positions; nothing where there are none.
   std::optional<BoundingBox> box;
+  SceneReport report;
 
   bool empty() const { return positions.empty(); }
 };
 
-// Sorts the edges, takes each once, drops those from a point to itself, and measures the box.
+// Brings what a reader has collected into that form: edges in order, those from a point to itself
+// and triangles with one corner left out; positions that nothing draws (only they may be not
+// finite) left out, or, where nothing else is drawn, those that are finite made points. Counts
+// vertices, and such points, in the report.
 void finishScene(SceneGeometry& scene);
 
 std::optional<BoundingBox> boundsOf(const std::vector<Vec3>& positions);

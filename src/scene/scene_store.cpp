@@ -45,6 +45,7 @@ SharedReading SceneStore::read(const fs::path& file) {
   if (!known->reading || !(known->stamp == stamp) || hasFailed(known->reading)) {
     *known = {file, stamp, std::make_shared<SceneReading>(file), false};
   }
+  known->told = true;
   const SharedReading reading = known->reading;
   waits_ ? reading->wait() : reading->waitFor(kPatience);
   return reading;
@@ -107,17 +108,29 @@ std::vector<SharedDrawable> SceneStore::scenes(const std::vector<fs::path>& file
     Known& known = *find(file);
     const SceneReading::Result* const read = known.reading ? known.reading->result() : nullptr;
     if (read == nullptr) continue;
-    if (*read) {
-      result.push_back(**read);
-    } else if (!known.told) {
-      known.told = true;
+    if (*read) result.push_back(**read);
+    if (std::exchange(known.told, true)) continue;
+    if (!*read) {
       refused_.push_back(known.reading);
+    } else if (!(**read)->report().notes.empty()) {
+      noted_.push_back(known.reading);
     }
   }
   return result;
 }
 
 std::vector<SharedReading> SceneStore::takeRefused() { return std::exchange(refused_, {}); }
+
+std::vector<SharedReading> SceneStore::takeNoted() { return std::exchange(noted_, {}); }
+
+std::vector<SharedReading> SceneStore::readings() const {
+  std::vector<SharedReading> result;
+  for (const fs::path& file : files_) {
+    const auto known = std::ranges::find(known_, file, &Known::file);
+    result.push_back(known != known_.end() ? known->reading : nullptr);
+  }
+  return result;
+}
 
 std::vector<SharedReading> SceneStore::reading() const {
   std::vector<SharedReading> result;

@@ -27,6 +27,12 @@ class SceneStore {
                                      std::int64_t document);
   // Of those scenes, the ones that turned out not to be readable; each is told once.
   std::vector<SharedReading> takeRefused();
+  // Of those scenes, the ones whose report has notes; each is told once. An import, which read()
+  // reads for, tells them itself.
+  std::vector<SharedReading> takeNoted();
+  // What came of each of those scenes, or null where it waits for its turn, in the flight's order;
+  // of the last call.
+  std::vector<SharedReading> readings() const;
 
   // Those at work.
   std::vector<SharedReading> reading() const;
@@ -54,7 +60,7 @@ class SceneStore {
   std::vector<Known> known_;  // least recently used first
   std::vector<std::filesystem::path> files_;
   std::int64_t document_ = -1;
-  std::vector<SharedReading> refused_;
+  std::vector<SharedReading> refused_, noted_;
 };
 
 }  // namespace vides
