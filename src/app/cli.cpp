@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <new>
 #include <optional>
 #include <string>
@@ -115,6 +116,11 @@ class Parser {
     if (firstNumberGiven_ && frames.options.format != FrameFormat::kChan) {
       throw CLI::ValidationError("--first-frame", "only frames of --format chan have numbers");
     }
+    if (command() == screenshot_ && screenshot.size && !screenshot.size->height &&
+        !screenshot.cameraAlone()) {
+      throw CLI::ValidationError(
+          "--size", "only --view camera takes a width alone; give WIDTHxHEIGHT in pixels");
+    }
     if (command() == drive_ && drive.script.empty() && !drive.listWidgets) {
       throw CLI::ValidationError("--script", "a script is needed (or --list-widgets)");
     }
@@ -196,8 +202,10 @@ class Parser {
     screenshot_->add_option("-o,--output", screenshot.output, "The picture to write")
         ->type_name("PNG")
         ->required();
-    addPictureOptions(*screenshot_, screenshot.width, screenshot.height, screenshot.scale,
-                      screenshot.offscreen);
+    addSize(*screenshot_, "1280x800; of --view camera 1280, the flight's format gives the height",
+            [this](const TypedSize& size) { screenshot.size = size; });
+    addPictureOptions(*screenshot_, screenshot.scale, screenshot.offscreen);
+    addAllowMissing(*screenshot_, screenshot.allowMissingScenes);
     screenshot_->add_option("--view", screenshot.view, "iso (default), front, side, top or camera")
         ->type_name("VIEW")
         ->check(CLI::IsMember({"iso", "front", "side", "top", "camera"}));
@@ -224,7 +232,12 @@ class Parser {
         ->type_name("FILE");
     drive_->add_option("--script", drive.script, "What to do; - for standard input")
         ->type_name("FILE");
-    addPictureOptions(*drive_, drive.width, drive.height, drive.scale, drive.offscreen);
+    addSize(*drive_, "1280x800", [this](const TypedSize& size) {
+      if (!size.height) throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT in pixels");
+      std::tie(drive.width, drive.height) = std::pair(size.width, *size.height);
+    });
+    addPictureOptions(*drive_, drive.scale, drive.offscreen);
+    addAllowMissing(*drive_, drive.allowMissingScenes);
     drive_->add_option("--language", drive.language, "en or de (default: the setup's, else en)")
         ->type_name("en|de")
         ->check(CLI::IsMember({"en", "de"}));
@@ -239,21 +252,30 @@ class Parser {
     drive_->footer(kDriveFooter);
   }
 
-  static void addPictureOptions(CLI::App& command, int& width, int& height, double& scale,
-                                std::string& offscreen) {
+  static void addSize(CLI::App& command, const char* preset,
+                      std::function<void(const TypedSize&)> take) {
     command
         .add_option_function<std::string>(
             "--size",
-            [&width, &height](const std::string& text) {
-              if (const auto size = parsePictureSize(text)) {
-                std::tie(width, height) = *size;
-              } else {
+            [take = std::move(take)](const std::string& text) {
+              const auto size = parsePictureSize(text);
+              if (!size) {
                 throw CLI::ValidationError(
-                    "--size", fmt::format("'{}' is not WIDTHxHEIGHT in pixels, 1 to 16384", text));
+                    "--size",
+                    fmt::format("'{}' is not WIDTHxHEIGHT in pixels, 1 to {}", text, kMostPixels));
               }
+              take(*size);
             },
-            "Size in pixels (default 1280x800)")
+            fmt::format("Size in pixels (default {})", preset))
         ->type_name("WxH");
+  }
+
+  static void addAllowMissing(CLI::App& command, bool& allow) {
+    command.add_flag("--allow-missing-scenes", allow,
+                     "Go on without scenes of FLIGHT that are missing or refused; they are told");
+  }
+
+  static void addPictureOptions(CLI::App& command, double& scale, std::string& offscreen) {
     command.add_option("--scale", scale, "How large widgets and texts are, 0.75 to 3 (default 1)")
         ->type_name("S")
         ->check(CLI::Range(0.75, 3.0));

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <iostream>
-
 #include "app/commands.hpp"
 #include "app/drive/runner.hpp"
 #include "app/drive/widget_list.hpp"
+#include "app/flight_scenes.hpp"
 #include "app/messages.hpp"
 #include "app/offscreen_editor.hpp"
 #include "app/output.hpp"
@@ -56,7 +54,11 @@ int runDrive(const DriveCommand& command) {
   Player& player = *offscreen->player;
   if (command.setup && !useSetup(player.editor().session(), *command.setup)) return kFailed;
   if (command.language) player.editor().run(Command("language", *command.language));
-  if (command.flight && !openFlightArgument(player.editor(), *command.flight)) return kFailed;
+  if (command.flight) {
+    if (!openFlightArgument(player.editor(), *command.flight)) return kFailed;
+    const bool all = tellScenes(player.editor(), *command.flight);
+    if (!all && !command.allowMissingScenes) return kFailed;
+  }
   if (command.listWidgets) return listWidgets(player);
   const auto script = command.script == "-" ? readDescriptor(STDIN_FILENO, limits::kFileSize)
                                             : readFile(command.script, limits::kFileSize);
@@ -66,12 +68,14 @@ int runDrive(const DriveCommand& command) {
   }
   Output output;
   // What was said before a line failed is said all the same.
-  ScriptRunner runner(player, [&](const std::string& line) { output.write(line + "\n"); });
+  ScriptRunner runner(
+      player, [&](const std::string& line) { output.write(line + "\n"); },
+      [](const std::string& line) { tellLine(line); });
   const auto done = runner.run(command.script, *script);
   bool written = output.finish();
   if (command.operated) written = writeOperated(player, *command.operated) && written;
   if (!done) {
-    std::cerr << printable(done.error()) << '\n';
+    tellLine(done.error());
     return kFailed;
   }
   return written ? kExitDone : kFailed;

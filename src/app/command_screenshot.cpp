@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/commands.hpp"
+#include "app/flight_scenes.hpp"
 #include "app/messages.hpp"
 #include "app/offscreen_editor.hpp"
 #include "app/output.hpp"
@@ -11,6 +15,8 @@
 
 namespace vides {
 namespace {
+
+constexpr PixelSize kDefaultSize{1280, 800};
 
 tl::expected<Picture, std::string> takePicture(const ScreenshotCommand& command,
                                                OffscreenEditor& offscreen) {
@@ -42,23 +48,44 @@ tl::expected<Picture, std::string> takePicture(const ScreenshotCommand& command,
   return player.picture();
 }
 
+// A width alone: the height is as the flight's format has it. Error: a sentence.
+tl::expected<PixelSize, std::string> sizeOf(const ScreenshotCommand& command,
+                                            const PictureFormat& format) {
+  const TypedSize given = command.size.value_or(
+      command.cameraAlone() ? TypedSize{kDefaultSize.width, std::nullopt}
+                            : TypedSize{kDefaultSize.width, kDefaultSize.height});
+  if (given.height) return PixelSize{given.width, *given.height};
+  const double height =
+      std::max(1.0, std::round(static_cast<double>(given.width) * format.height / format.width));
+  if (height <= kMostPixels) return PixelSize{given.width, static_cast<int>(height)};
+  return Failure(
+      fmt::format("{}: in the format {} x {} a picture {} wide would be {} high, but {} "
+                  "are the most; --size sets it",
+                  command.flight, format.width, format.height, given.width, height, kMostPixels));
+}
+
+int failed(std::string_view why) {
+  tell(why);
+  return kFailed;
+}
+
 }  // namespace
 
 int runScreenshot(const ScreenshotCommand& command) {
-  auto offscreen =
-      openOffscreenEditor(command.offscreen, {command.width, command.height}, command.scale);
+  auto offscreen = openOffscreenEditor(command.offscreen, kDefaultSize, command.scale);
   if (!offscreen) return kFailed;
-  if (!openFlightArgument(offscreen->player->editor(), command.flight)) return kFailed;
+  Editor& editor = offscreen->player->editor();
+  if (!openFlightArgument(editor, command.flight)) return kFailed;
+  const bool all = tellScenes(editor, command.flight);
+  if (!all && !command.allowMissingScenes) return kFailed;
+  const auto size = sizeOf(command, editor.session().flight().picture);
+  if (!size) return failed(size.error());
+  const auto resized = offscreen->host->resize(*size, command.scale);
+  if (!resized) return failed(resized.error());
   const auto picture = takePicture(command, *offscreen);
-  if (!picture) {
-    tell(picture.error());
-    return kFailed;
-  }
+  if (!picture) return failed(picture.error());
   const auto bytes = encodePng(*picture);
-  if (!bytes) {
-    tell(fmt::format("{}: {}", command.output, bytes.error()));
-    return kFailed;
-  }
+  if (!bytes) return failed(fmt::format("{}: {}", command.output, bytes.error()));
   Output output(command.output);
   output.write(*bytes);
   return output.finish() ? kExitDone : kFailed;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/picture_size.hpp"
 #include "io/frame_writer.hpp"
 
 namespace vides {
@@ -37,12 +38,15 @@ int runCheck(const CheckCommand& command);
 struct ScreenshotCommand {
   std::string flight;
   std::string output;
-  int width = 1280;  // pixels
-  int height = 800;
+  // Nothing: 1280x800, or, of the camera's view alone, 1280 wide in the flight's format.
+  std::optional<TypedSize> size;
   double scale = 1.0;
   std::string view = "iso";           // iso, front, side, top, camera
   std::optional<std::int64_t> frame;  // of the playhead; the first
   bool wholeWindow = false;
+  bool allowMissingScenes = false;
+  // Whether the picture has the flight's own format unless its size is given whole.
+  bool cameraAlone() const { return view == "camera" && !wholeWindow; }
   std::string offscreen = "osmesa";  // or egl
 };
 int runScreenshot(const ScreenshotCommand& command);
@@ -55,6 +59,7 @@ struct DriveCommand {
   double scale = 1.0;
   std::optional<std::string> language;  // en or de; nothing: the setup's
   std::optional<std::string> setup;     // nothing: the built-in one
+  bool allowMissingScenes = false;
   bool listWidgets = false;             // instead of a script
   std::optional<std::string> operated;  // where to write what the script operated
   std::string offscreen = "osmesa";

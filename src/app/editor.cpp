@@ -60,6 +60,7 @@ SessionSeams seamsOf(const EditorOptions& options) {
   seams.clipboard = options.clipboard;
   seams.setClipboard = options.setClipboard;
   seams.ran = options.ran;
+  seams.said = options.said;
   seams.readsInBackground = !options.waitForWork;
   return seams;
 }

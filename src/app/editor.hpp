@@ -39,6 +39,8 @@ struct EditorOptions {
   // Told of every command that did what it says, and of every shortcut that was pressed.
   std::function<void(const Command&)> ran;
   std::function<void(const Shortcut&)> pressed;
+  // Told of everything that the session says in the output line.
+  std::function<void(MessageKind, const Text&)> said;
 };
 
 // What one display frame is made from.

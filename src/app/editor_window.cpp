@@ -117,8 +117,8 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
       const auto [size, turn, tilt] = sliderPlaces(ui, rect);
       for (const Rect& box : {size, turn, tilt}) cover(box);
     }
-    pictures->viewport(ui, *ImGui::GetWindowDrawList(), film ? filmRoom(ui, rect) : rect, session,
-                       scenes, state);
+    pictures->viewport(ui, *ImGui::GetWindowDrawList(), film && !bare ? filmRoom(ui, rect) : rect,
+                       session, scenes, state);
     if (bare) return;
     if (sliders) {
       if (const auto next = viewportSliders(ui, rect, session)) actions.view = next;

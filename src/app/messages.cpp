@@ -9,12 +9,18 @@
 #include "flight/printable.hpp"
 
 namespace vides {
+namespace {
 
-void tell(std::string_view message) {
-  std::string line = "vides: ";
-  (line += printable(message)) += '\n';
+void put(std::string_view message) {
+  const std::string line = printable(message) + '\n';
   // Where standard error can't be written, there is nobody left to tell.
   [[maybe_unused]] const auto ignored = write(STDERR_FILENO, line.data(), line.size());
 }
+
+}  // namespace
+
+void tell(std::string_view message) { put("vides: " + std::string(message)); }
+
+void tellLine(std::string_view line) { put(line); }
 
 }  // namespace vides

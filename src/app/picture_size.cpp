@@ -7,8 +7,6 @@
 namespace vides {
 namespace {
 
-constexpr int kMostPixels = 16384;
-
 std::optional<int> side(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -19,13 +17,13 @@ std::optional<int> side(std::string_view text) {
 
 }  // namespace
 
-std::optional<std::pair<int, int>> parsePictureSize(std::string_view text) {
+std::optional<TypedSize> parsePictureSize(std::string_view text) {
   const std::size_t cross = text.find_first_of("xX");
-  if (cross == std::string_view::npos) return std::nullopt;
   const auto width = side(text.substr(0, cross));
+  if (!width) return std::nullopt;
+  if (cross == std::string_view::npos) return TypedSize{*width, std::nullopt};
   const auto height = side(text.substr(cross + 1));
-  if (!width || !height) return std::nullopt;
-  return std::pair(*width, *height);
+  return height ? std::optional(TypedSize{*width, height}) : std::nullopt;
 }
 
 }  // namespace vides

@@ -4,11 +4,19 @@
 
 #include <optional>
 #include <string_view>
-#include <utility>
 
 namespace vides {
 
-// "1280x800": width and height in pixels, 1 to 16,384; nothing for other text.
-std::optional<std::pair<int, int>> parsePictureSize(std::string_view text);
+inline constexpr int kMostPixels = 16384;  // along a side
+
+struct TypedSize {
+  int width = 0;              // pixels
+  std::optional<int> height;  // nothing: as the picture's format has it
+  bool operator==(const TypedSize&) const = default;
+};
+
+// "1280x800": width and height in pixels, 1 to kMostPixels each; "1280": the width alone. Nothing
+// for other text.
+std::optional<TypedSize> parsePictureSize(std::string_view text);
 
 }  // namespace vides

@@ -139,7 +139,10 @@ bool Session::refuse(Text why) {
   return false;
 }
 
-void Session::say(MessageKind kind, Text text) { output_ = {kind, std::move(text)}; }
+void Session::say(MessageKind kind, Text text) {
+  output_ = {kind, std::move(text)};
+  if (seams_.said) seams_.said(kind, output_.text);
+}
 
 // --- Changing the flight ---
 

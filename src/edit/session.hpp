@@ -59,6 +59,8 @@ struct SessionSeams {
   std::function<void(const std::string&)> setClipboard;
   // Told of every command that did what it says, also of those that preview.
   std::function<void(const Command&)> ran;
+  // Told of everything that comes into the output line, also where the next message hides it.
+  std::function<void(MessageKind, const Text&)> said;
   std::size_t historyBytes = History::kMostBytes;
   // Whether a large scene may be read while it goes on; else whatever reads one waits for it.
   bool readsInBackground = false;

@@ -8,12 +8,11 @@
 #include <charconv>
 #include <limits>
 
+#include "flight/text_encoding.hpp"
 #include "flight/utf8.hpp"
 
 namespace vides {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
@@ -106,10 +105,13 @@ JsonNumber converted(std::string_view text) {
 
 JsonReader::JsonReader(std::string_view text)
     : begin_(text.data()), end_(text.data() + text.size()), at_(begin_) {
-  if (text.starts_with(kByteOrderMark)) at_ += kByteOrderMark.size();
+  at_ += text.size() - withoutByteOrderMark(text).size();
 }
 
 void JsonReader::fail(Syntax expected, const char* where) const {
+  // No text in another encoding gets beyond its first character or two.
+  const TextEncoding encoding = encodingOf({begin_, static_cast<std::size_t>(end_ - begin_)});
+  if (encoding != TextEncoding::kUtf8) throw SyntaxError{Syntax::kUtf8, 0, vides::name(encoding)};
   std::string found = characterAt(where, end_);
   if (expected == Syntax::kValue && where != end_ && isWordPart(*where)) {
     const char* last = std::find_if_not(where, std::min(end_, where + 30), isWordPart);
@@ -412,9 +414,10 @@ std::string decodeJsonString(std::string_view inner) {
 
 TextPlace placeInText(std::string_view text, std::size_t offset) {
   TextPlace place;
-  std::size_t start = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  std::size_t start = text.size() - withoutByteOrderMark(text).size();
   for (std::size_t i = start; i < offset; ++i) {
-    if (text[i] == '\n') {
+    // A CR before an LF is part of the line's end.
+    if (text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'))) {
       ++place.line;
       start = i + 1;
     }

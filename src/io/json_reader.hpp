@@ -135,7 +135,8 @@ class JsonReader {
 // The characters of a JSON string without its quotes, which JsonReader found to be right.
 std::string decodeJsonString(std::string_view inner);
 
-// Line and column (from 1, in code points) of an offset; a byte order mark has no column.
+// Line and column (from 1, in code points) of an offset; a byte order mark has no column. Lines end
+// with CR, LF or CRLF.
 struct TextPlace {
   std::size_t line = 1;
   std::size_t column = 1;

@@ -231,7 +231,7 @@ std::string syntaxText(const Problem& problem, const Words& words) {
     what = words.endOfFile;
   } else if (found.size() > 1 && found.starts_with('\\')) {
     what = put(words.byte, "0" + found.substr(1));
-  } else if (!found.starts_with("U+")) {
+  } else if (!found.starts_with("U+") && !found.starts_with("UTF-")) {
     what = "'" + found + "'";
   }
   const auto index = static_cast<std::size_t>(problem.syntax);

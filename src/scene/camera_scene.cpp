@@ -45,6 +45,10 @@ struct CameraScene::Parts {
 
 PixelRectangle letterbox(const PixelRectangle& r, const PictureFormat& picture) {
   const double proportion = static_cast<double>(picture.width) / picture.height;
+  // As near to the proportions as whole pixels come: no bar of one pixel beside it.
+  const bool fits =
+      std::round(r.width / proportion) == r.height || std::round(r.height * proportion) == r.width;
+  if (fits && r.width >= 1.0 && r.height >= 1.0) return r;
   const double width = std::max(1.0, std::round(std::min(r.width, r.height * proportion)));
   const double height = std::max(1.0, std::round(std::min(r.height, r.width / proportion)));
   return {r.x + std::floor(0.5 * (r.width - width)), r.y + std::floor(0.5 * (r.height - height)),

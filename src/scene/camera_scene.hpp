@@ -34,6 +34,7 @@ struct CameraInput {
 };
 
 // The largest rectangle of the picture's proportions in the middle of another; at least a pixel.
+// All of the other, where no whole number of pixels is nearer to the proportions.
 PixelRectangle letterbox(const PixelRectangle& rectangle, const PictureFormat& picture);
 
 // The camera's view of that rectangle.

@@ -16,8 +16,8 @@
 
 #include "math/view_projection.hpp"
 #include "scene/draw_list.hpp"
-#include "scene/scene_reader.hpp"
 #include "scene/scene_geometry.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace vides {
 

@@ -21,9 +21,8 @@ bool isWordPart(char c) { return isDigit(c) || (lower(c) >= 'a' && lower(c) <= '
 
 // Whether a text begins with a word, which is in lower case.
 bool begins(std::string_view text, std::string_view word) {
-  return text.size() >= word.size() &&
-         std::equal(word.begin(), word.end(), text.begin(),
-                    [](char a, char b) { return a == lower(b); });
+  return text.size() >= word.size() && std::equal(word.begin(), word.end(), text.begin(),
+                                                  [](char a, char b) { return a == lower(b); });
 }
 bool is(std::string_view text, std::string_view word) {
   return text.size() == word.size() && begins(text, word);
@@ -69,15 +68,14 @@ bool isTiny(std::string_view word) {
   // No file is long enough to make up for such an exponent.
   if (read.ec == std::errc::result_out_of_range) return exponent.starts_with('-');
   const std::size_t point = std::min(word.find('.'), e);
-  const auto before = static_cast<std::int64_t>(point) -
-                      static_cast<std::int64_t>(word.find_first_of("123456789"));
+  const auto before =
+      static_cast<std::int64_t>(point) - static_cast<std::int64_t>(word.find_first_of("123456789"));
   return before + shift < 0;
 }
 
 // Behind an integer, with or without a sign; `at` where there is none.
 std::size_t behindInteger(std::string_view text, std::size_t at) {
-  const std::size_t sign =
-      at < text.size() && (text[at] == '-' || text[at] == '+') ? at + 1 : at;
+  const std::size_t sign = at < text.size() && (text[at] == '-' || text[at] == '+') ? at + 1 : at;
   std::size_t end = sign;
   while (end < text.size() && isDigit(text[end])) ++end;
   return end > sign ? end : at;

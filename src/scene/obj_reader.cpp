@@ -21,9 +21,9 @@ namespace {
 // them, would be drawn and aren't, or mean nothing.
 bool isPassedOver(std::string_view keyword) {
   static constexpr std::array<std::string_view, 20> kWords{
-      "vt",       "vn",       "vp",      "g",       "o",          "s",         "usemtl",
-      "mtllib",   "mg",       "bevel",   "usemap",  "maplib",     "c_interp",  "d_interp",
-      "lod",      "ctech",    "stech",   "shadow_obj", "trace_obj", "group"};
+      "vt",     "vn",    "vp",    "g",          "o",         "s",        "usemtl",
+      "mtllib", "mg",    "bevel", "usemap",     "maplib",    "c_interp", "d_interp",
+      "lod",    "ctech", "stech", "shadow_obj", "trace_obj", "group"};
   return std::ranges::find(kWords, keyword) != kWords.end();
 }
 
@@ -113,7 +113,8 @@ class Reader {
     }
     if (scene_.positions.size() >= kMostVertices) return fail(SceneFault::kTooMany, "");
     if (!bad.empty()) {
-      bad_.push_back({statements_.line(), static_cast<std::uint32_t>(scene_.positions.size()), bad});
+      bad_.push_back(
+          {statements_.line(), static_cast<std::uint32_t>(scene_.positions.size()), bad});
       note(SceneRemark::kBadVertices, bad);
     }
     scene_.positions.push_back(position);
@@ -192,10 +193,9 @@ class Reader {
     finishScene(scene_);
     if (!scene_.empty()) return;
     const SceneNote& unknown = notes_[static_cast<std::size_t>(SceneRemark::kUnknownLines)];
-    problem_ = bad_.empty()
-                   ? SceneProblem{SceneFault::kNothing, unknown.line, unknown.found}
-                   : SceneProblem{SceneFault::kNothingDrawn, bad_.front().line,
-                                  shownWord(bad_.front().word)};
+    problem_ = bad_.empty() ? SceneProblem{SceneFault::kNothing, unknown.line, unknown.found}
+                            : SceneProblem{SceneFault::kNothingDrawn, bad_.front().line,
+                                           shownWord(bad_.front().word)};
   }
 
   ObjStatements statements_;

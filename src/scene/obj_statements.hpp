@@ -50,7 +50,8 @@ class ObjStatements {
   enum class Kind : std::uint8_t { kText, kBlank, kEnd, kSpecial };
   static constexpr std::array<Kind, 256> kKinds = [] {
     std::array<Kind, 256> kinds{};
-    for (const char c : {' ', '\t', '\v', '\f'}) kinds[static_cast<unsigned char>(c)] = Kind::kBlank;
+    for (const char c : {' ', '\t', '\v', '\f'})
+      kinds[static_cast<unsigned char>(c)] = Kind::kBlank;
     for (const char c : {'\r', '\n'}) kinds[static_cast<unsigned char>(c)] = Kind::kEnd;
     for (const char c : {'#', '\\'}) kinds[static_cast<unsigned char>(c)] = Kind::kSpecial;
     return kinds;

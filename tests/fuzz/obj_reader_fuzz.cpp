@@ -23,9 +23,9 @@ std::int64_t linesOf(std::string_view text) {
 
 void checkWord(const std::string& word) {
   require(word.size() <= 4 * 32 + 3, "what was found is told shortly");
-  require(codePoints(word).has_value() && std::none_of(word.begin(), word.end(), [](char c) {
-            return (c >= 0 && c < ' ') || c == '\x7f';
-          }),
+  require(codePoints(word).has_value() &&
+              std::none_of(word.begin(), word.end(),
+                           [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }),
           "what was found upsets no terminal");
 }
 

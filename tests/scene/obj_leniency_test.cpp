@@ -46,7 +46,8 @@ TEST(ObjLineEnds, AreCrLfOrBothAlsoMixed) {
   const SceneGeometry expected = sceneOf(kThree + "f 1 2 3\n");
   for (const char* text :
        {"v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3",
-        "# a\r\r\nv 0 0 0\rv 1 0 0\n\nv 0 1 0\r\n\rf 1 2 3\r\r", "v 0 0 0\n\rv 1 0 0\n\rv 0 1 0\n\rf 1 2 3",
+        "# a\r\r\nv 0 0 0\rv 1 0 0\n\nv 0 1 0\r\n\rf 1 2 3\r\r",
+        "v 0 0 0\n\rv 1 0 0\n\rv 0 1 0\n\rf 1 2 3",
         "v 0 0 0\rv 1 0\\\r 0\rv 0 1 \\ \t\r\n0\rf\\\n1 2 3\\"}) {
     const SceneGeometry scene = sceneOf(text);
     EXPECT_EQ(scene.positions, expected.positions) << text;
@@ -72,7 +73,8 @@ TEST(ObjLineEnds, ABackslashGoesOnOnlyBeforeTheEnd) {
   EXPECT_EQ(scene.positions.size(), 3u);
   EXPECT_EQ(scene.triangles.size(), 2u);
   EXPECT_EQ(problemOf("v 0 0 \\ 0\n").fault, SceneFault::kNumber);
-  EXPECT_EQ(problemOf("\\\n\n# c \\\n\nv 1 \\  \n x 2"), (SceneProblem{SceneFault::kNumber, 6, "x"}));
+  EXPECT_EQ(problemOf("\\\n\n# c \\\n\nv 1 \\  \n x 2"),
+            (SceneProblem{SceneFault::kNumber, 6, "x"}));
 }
 
 TEST(ObjEncodings, Utf16IsRead) {
@@ -89,9 +91,9 @@ TEST(ObjEncodings, Utf16IsRead) {
     const std::string whole = utf16(ascii, little, true);
     EXPECT_EQ(problemOf(whole.substr(0, whole.size() - 1)),
               (SceneProblem{SceneFault::kEncoding, 0, "UTF-16"}));
-    EXPECT_EQ(problemOf(whole + (little ? std::string("\x00\xd8", 2) : std::string("\xd8\x00", 2)))
-                  .fault,
-              SceneFault::kEncoding);
+    EXPECT_EQ(
+        problemOf(whole + (little ? std::string("\x00\xd8", 2) : std::string("\xd8\x00", 2))).fault,
+        SceneFault::kEncoding);
     EXPECT_EQ(problemOf(utf16("v 0 0 0\rv x", little, true)),
               (SceneProblem{SceneFault::kNumber, 2, "x"}));
     EXPECT_EQ(problemOf(utf16(std::string("v 0 0 0\n\0", 9), little, true)),
@@ -113,10 +115,10 @@ TEST(ObjEncodings, ANulIsAFault) {
 }
 
 TEST(ObjVertices, TakeWeightsAndColours) {
-  const SceneGeometry scene = sceneOf(
-      "v 1 2\nv 1 2 3\nv 1 2 4 0.5\nv 1 2 5 0 0.5 1\nv 1 2 6 0 0.5 1 nan\np 1 2 3 4 5\n");
-  EXPECT_THAT(scene.positions,
-              ElementsAre(Vec3(1, 2, 0), Vec3(1, 2, 3), Vec3(1, 2, 4), Vec3(1, 2, 5), Vec3(1, 2, 6)));
+  const SceneGeometry scene =
+      sceneOf("v 1 2\nv 1 2 3\nv 1 2 4 0.5\nv 1 2 5 0 0.5 1\nv 1 2 6 0 0.5 1 nan\np 1 2 3 4 5\n");
+  EXPECT_THAT(scene.positions, ElementsAre(Vec3(1, 2, 0), Vec3(1, 2, 3), Vec3(1, 2, 4),
+                                           Vec3(1, 2, 5), Vec3(1, 2, 6)));
   for (const char* count : {"0", "1", "5", "8", "12"}) {
     std::string line = "v";
     for (int i = 0; i < std::stoi(count); ++i) line += " 1";
@@ -131,15 +133,16 @@ TEST(ObjVertices, TakeWeightsAndColours) {
 
 TEST(ObjVertices, ThatAreNotFiniteMayBeThereIfNothingUsesThem) {
   for (const char* word :
-       {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "-NAN(IND)", "nan(snan)", "nan(0x8000)", "inf",
-        "-inf", "+Inf", "Infinity", "-infinity", "1.#QNAN", "-1.#IND", "1.#INF", "-1.#INF00",
-        "1.#SNAN", "-1.#IND000000", "1.#qnan0", "1.#J", "-1.#IO", "1.#R", "1.$", "NaNQ", "1e999", "-1e99999"}) {
+       {"nan",         "NaN",    "-nan",      "nan(ind)", "-nan(ind)",     "-NAN(IND)", "nan(snan)",
+        "nan(0x8000)", "inf",    "-inf",      "+Inf",     "Infinity",      "-infinity", "1.#QNAN",
+        "-1.#IND",     "1.#INF", "-1.#INF00", "1.#SNAN",  "-1.#IND000000", "1.#qnan0",  "1.#J",
+        "-1.#IO",      "1.#R",   "1.$",       "NaNQ",     "1e999",         "-1e99999"}) {
     const std::string bad = std::string("v ") + word + " 0 0\n";
     const SceneGeometry scene = sceneOf(bad + kThree + "v 1 1 " + word + "\nf 2 3 4\nf -2 -3 -4\n");
     EXPECT_EQ(scene.positions.size(), 3u) << word;
     EXPECT_THAT(scene.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 0})) << word;
-    EXPECT_THAT(scene.report.notes,
-                ElementsAre(SceneNote{SceneRemark::kBadVertices, 2, 1, word})) << word;
+    EXPECT_THAT(scene.report.notes, ElementsAre(SceneNote{SceneRemark::kBadVertices, 2, 1, word}))
+        << word;
     EXPECT_EQ(problemOf("v 0 0 0\n" + bad + "v 1 1 1\nf 1 2 3"),
               (SceneProblem{SceneFault::kBadVertex, 2, word}));
     EXPECT_EQ(problemOf(bad + bad + "l 1 2").line, 1) << word;
@@ -175,32 +178,33 @@ TEST(ObjFaces, GroupsAreNumbers) {
 }
 
 TEST(ObjUnknownLines, AreLeftOutAndTold) {
-  const SceneGeometry scene = sceneOf(
-      "mtllib a.mtl\no a\n" + kThree +
-      "vt 0 0\nvn x\nvp 1\ncstype bezier\ndeg 3 \\\n 4\ng\ns off\nusemtl b\nV 1 2 3\nf 1 2 3\nend\n");
+  const SceneGeometry scene = sceneOf("mtllib a.mtl\no a\n" + kThree +
+                                      "vt 0 0\nvn x\nvp 1\ncstype bezier\ndeg 3 \\\n 4\ng\ns "
+                                      "off\nusemtl b\nV 1 2 3\nf 1 2 3\nend\n");
   EXPECT_EQ(scene.positions.size(), 3u);
   EXPECT_THAT(scene.report.notes,
               ElementsAre(SceneNote{SceneRemark::kUnknownLines, 4, 9, "cstype"}));
 }
 
 TEST(ObjVertices, AloneAreDrawnAsPoints) {
-  const SceneGeometry scene = sceneOf("v 0 0 0\nv nan 0 0\nv 1 0 0\nv 1 0 0\nf 1 3\ncurv 0 1 1 2\n");
+  const SceneGeometry scene =
+      sceneOf("v 0 0 0\nv nan 0 0\nv 1 0 0\nv 1 0 0\nf 1 3\ncurv 0 1 1 2\n");
   EXPECT_THAT(scene.positions, ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0)));
   EXPECT_THAT(scene.points, ElementsAre(0u, 1u, 2u));
   EXPECT_THAT(scene.edges, IsEmpty());
   EXPECT_EQ(scene.report.vertices, 3);
   EXPECT_EQ(scene.report.points, 3);
-  EXPECT_THAT(scene.report.notes,
-              ElementsAre(SceneNote{SceneRemark::kUnknownLines, 1, 6, "curv"},
-                          SceneNote{SceneRemark::kTooFewCorners, 1, 5, ""},
-                          SceneNote{SceneRemark::kBadVertices, 1, 2, "nan"},
-                          SceneNote{SceneRemark::kVerticesOnly, 3, 0, ""}));
+  EXPECT_THAT(scene.report.notes, ElementsAre(SceneNote{SceneRemark::kUnknownLines, 1, 6, "curv"},
+                                              SceneNote{SceneRemark::kTooFewCorners, 1, 5, ""},
+                                              SceneNote{SceneRemark::kBadVertices, 1, 2, "nan"},
+                                              SceneNote{SceneRemark::kVerticesOnly, 3, 0, ""}));
   // A face that shrinks to a point draws nothing either.
   EXPECT_EQ(sceneOf(kThree + "f 1 1 1").points.size(), 3u);
 }
 
 TEST(ObjVertices, ThatNothingUsesAreNeitherDrawnNorCounted) {
-  const SceneGeometry scene = sceneOf("v 1e6 0 0\n" + kThree + "v -1e6 0 0\nf 2 3 4\nf 2 2 2\nf 5 5 5");
+  const SceneGeometry scene =
+      sceneOf("v 1e6 0 0\n" + kThree + "v -1e6 0 0\nf 2 3 4\nf 2 2 2\nf 5 5 5");
   EXPECT_EQ(scene.positions.size(), 3u);
   EXPECT_EQ(scene.report.vertices, 3);
   EXPECT_EQ(scene.box, (BoundingBox{{0, 0, 0}, {1, 1, 0}}));

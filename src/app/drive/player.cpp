@@ -37,6 +37,11 @@ tl::expected<std::unique_ptr<Player>, std::string> Player::create(OffscreenHost&
   options.pressed = [&operated](const Shortcut& s) {
     operated.insert("shortcut " + scriptName(s));
   };
+  std::vector<Text>& errors = player->errors_;
+  options.said = [&errors](MessageKind kind, const Text& text) {
+    const bool error = kind == MessageKind::kRefusal || kind == MessageKind::kError;
+    if (error) errors.push_back(text);
+  };
   auto editor = Editor::create(host.gl(), std::move(options));
   if (!editor) return Failure(editor.error());
   player->editor_ = std::move(*editor);

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <utility>
+#include <vector>
 
 #include "app/editor.hpp"
 #include "host/offscreen_host.hpp"
@@ -53,6 +55,8 @@ class Player {
 
   // What has been operated, a line each: "command NAME", "shortcut KEYS", "widget ID".
   const std::set<std::string>& operated() const { return operated_; }
+  // What the session refused, and what failed, since the last call.
+  std::vector<Text> takeErrors() { return std::exchange(errors_, {}); }
 
   // The window as it is drawn when nothing moves any more; the script's time stands.
   tl::expected<Picture, std::string> picture();
@@ -69,6 +73,7 @@ class Player {
   Modifiers modifiers_;
   Vec2 pointer_{-1.0};
   std::set<std::string> operated_;
+  std::vector<Text> errors_;
 };
 
 }  // namespace vides

@@ -10,6 +10,7 @@
 #include <exception>
 #include <optional>
 
+#include "app/drive/session_echo.hpp"
 #include "edit/command.hpp"
 
 namespace vides {
@@ -106,9 +107,12 @@ std::vector<std::string_view> ScriptRunner::commandNames() {
 tl::expected<void, std::string> ScriptRunner::run(std::string_view name, std::string_view script) {
   const auto lines = readScript(script);
   if (!lines) return Failure(fmt::format("{}:{}", name, lines.error()));
+  SessionEcho echo(player_, name, tell_);
   player_.frame();
   for (const ScriptLine& each : *lines) {
-    if (auto done = lineOrFailure(each); !done) {
+    auto done = lineOrFailure(each);
+    echo.afterLine(each.number, done ? std::string_view() : done.error());
+    if (!done) {
       return Failure(fmt::format("{}:{}: {}", name, each.number, done.error()));
     }
   }

@@ -17,9 +17,12 @@ namespace vides {
 
 class ScriptRunner {
  public:
-  // What `where` and `print` say goes to `print`, a line each, without the line's end.
-  ScriptRunner(Player& player, std::function<void(const std::string&)> print)
-      : player_(player), print_(std::move(print)) {}
+  // What `where` and `print` say goes to `print`, what goes wrong in the session to `tell` (see
+  // SessionEcho), a line each, without the line's end.
+  ScriptRunner(
+      Player& player, std::function<void(const std::string&)> print,
+      std::function<void(const std::string&)> tell = [](const std::string&) {})
+      : player_(player), print_(std::move(print)), tell_(std::move(tell)) {}
 
   // Runs the script. Error: `NAME:LINE: what was expected and found` of the first line that fails.
   tl::expected<void, std::string> run(std::string_view name, std::string_view script);
@@ -82,7 +85,7 @@ class ScriptRunner {
   tl::expected<Vec2, std::string> placeInWidget(Words words) const;
 
   Player& player_;
-  std::function<void(const std::string&)> print_;
+  std::function<void(const std::string&)> print_, tell_;
   ScriptPoints points_;
 };
 

@@ -5,12 +5,13 @@
 #include <fmt/format.h>
 
 #include "edit/command.hpp"
+#include "flight/text_encoding.hpp"
 #include "render/failure.hpp"
 
 namespace vides {
 namespace {
 
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+bool blank(char c) { return c == ' ' || c == '\t'; }
 
 // Error: a sentence.
 tl::expected<ScriptLine, std::string> readLine(std::string_view text) {
@@ -50,16 +51,24 @@ tl::expected<ScriptLine, std::string> readLine(std::string_view text) {
 tl::expected<std::vector<ScriptLine>, std::string> readScript(std::string_view text) {
   std::vector<ScriptLine> lines;
   std::size_t number = 0;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const TextEncoding encoding = encodingOf(text);
+  if (encoding != TextEncoding::kUtf8) {
+    return Failure(fmt::format("1: expected UTF-8, found {}", name(encoding)));
+  }
+  text = withoutByteOrderMark(text);
+  if (const std::size_t nul = text.find('\0'); nul != text.npos) {
+    return Failure(
+        fmt::format("{}: expected a text, found a NUL byte", 1 + lineEnds(text.substr(0, nul))));
+  }
   while (!text.empty()) {
-    const std::size_t end = text.find('\n');
+    const std::size_t end = text.find_first_of("\r\n");
     auto line = readLine(text.substr(0, end));
     ++number;
     if (!line) return Failure(fmt::format("{}: {}", number, line.error()));
     line->number = number;
     if (!line->words.empty()) lines.push_back(std::move(*line));
     if (end == std::string_view::npos) break;
-    text.remove_prefix(end + 1);
+    text.remove_prefix(end + (text.substr(end).starts_with("\r\n") ? 2 : 1));
   }
   return lines;
 }

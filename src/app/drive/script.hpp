@@ -24,8 +24,9 @@ struct ScriptLine {
   std::string rest;  // the line as written behind its first word, without the comment
 };
 
-// The lines that say something. `#` begins a comment, except in double quotes, where \" and \\ are
-// the characters themselves. Error: "LINE: what is wrong".
+// The lines that say something; they end with CR, LF or CRLF. `#` begins a comment, except in
+// double quotes, where \" and \\ are the characters themselves. A script that isn't UTF-8, or has a
+// NUL, is no script. Error: "LINE: what is wrong".
 tl::expected<std::vector<ScriptLine>, std::string> readScript(std::string_view text);
 
 // Points kept by `point $NAME where …`.
