@@ -40,6 +40,7 @@ struct CameraScene::Parts {
   DrawList list;
   CubePart cube;
   FloorPart floor;
+  ScenePart scenes;
   GeometrySlot guides;
 };
 
@@ -86,7 +87,7 @@ const DrawList& CameraScene::build(const CameraInput& input) {
     p.floor.add(list, input.theme, input.contentScale);
     p.cube.add(list, input.theme, input.contentScale, lineWidth);
   }
-  addScenes(list, {input.scenes, input.space, input.sceneAsPoints, lineWidth}, input.theme);
+  p.scenes.add(list, {input.scenes, input.space, input.sceneAsPoints, lineWidth}, input.theme);
 
   std::vector<GeometryPoint> guides;
   if (input.thirds) addThirds(guides, picture);

@@ -2,19 +2,22 @@
 // A scene made ready for drawing, once, whatever looks at it: divided into tiles, and each tile of
 // a large scene in several degrees of detail.
 //
-// How much of a large scene is drawn depends on what is seen of it. A coarser detail joins the
-// positions in each cell of a grid (their mean stands for them) and keeps the edges that still lead
-// from cell to cell: what differs from the whole is smaller than a cell. Where a picture would show
-// more than it has room for, near tiles are drawn finer than far ones, and all together so much
-// that a wireframe can still be told from a grey patch. Scenes of an eighth of
+// A coarser detail joins the positions in each cell of a grid (their mean stands for them) and
+// keeps the edges that still lead from cell to cell: what differs from the whole is smaller than a
+// cell. The grids are those of all tiles, so that tiles of the same detail meet; scene_cut.hpp
+// chooses what is drawn, and makes tiles of different detail meet. Scenes of an eighth of
 // kMostSceneElements are always whole.
+//
+// Geometry is kept in coordinates of the tile's own, near which it is exact: something far away
+// takes nothing from the rest.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "math/view_projection.hpp"
+#include "scene/cell_tree.hpp"
 #include "scene/draw_list.hpp"
 #include "scene/scene_geometry.hpp"
 #include "scene/scene_reader.hpp"
@@ -24,17 +27,23 @@ namespace vides {
 // Edges or points of all scenes in one picture: in the largest; a picture of 100 × 100 pixels has
 // an eighth of it.
 inline constexpr std::size_t kMostSceneElements = 131072;
+// As many are whole even in the smallest picture.
+inline constexpr std::size_t kAlwaysWhole = kMostSceneElements / 8;
 
 class DrawableScene {
  public:
+  static constexpr int kWhole = -1;
   struct Detail {
-    double cell = 0.0;  // width of the grid's cells; 0: whole
+    int level = kWhole;  // whose cells are joined, in cells().levels()
     SharedGeometry geometry;
+    // Of a large scene: what the geometry's points are, cells of the level or positions.
+    std::vector<std::uint32_t> corners;
   };
-  // Finest first; boxes and geometry in the coordinates that place() leads from.
+  // In scene units.
   struct Tile {
     Vec3 low{0.0}, high{0.0};
-    std::vector<Detail> details;
+    Placement place;              // from the geometry's coordinates, -2 to 2
+    std::vector<Detail> details;  // finest first
   };
   using Tiles = std::vector<Tile>;
 
@@ -44,9 +53,8 @@ class DrawableScene {
 
   const Tiles& edges() const { return edges_; }
   const Tiles& positions() const { return positions_; }
-  const Tiles& points() const { return points_; }  // single points that the file names
-  // From the tiles' coordinates, -1 to 1, to scene units.
-  const Placement& place() const { return place_; }
+  const Tiles& points() const { return points_; }  // single points
+  const CellTree& cells() const { return cells_; }
   // Of all positions.
   const BoundingBox& box() const { return box_; }
   // What its reading told.
@@ -54,25 +62,10 @@ class DrawableScene {
 
  private:
   Tiles edges_, positions_, points_;
-  Placement place_;
+  CellTree cells_;
   BoundingBox box_;
   SceneReport report_;
 };
 using SharedDrawable = std::shared_ptr<const DrawableScene>;
-
-// What of some tiles is to be drawn in a view: `count` elements of a geometry.
-struct SeenDetail {
-  SharedGeometry geometry;
-  Placement place;
-  std::size_t count = 0;
-};
-// At most kMostSceneElements. `place` leads from each group's coordinates to the cube's;
-// `margin` in pixels: what stands so far outside the picture still shows in it.
-struct PlacedTiles {
-  const DrawableScene::Tiles* tiles = nullptr;
-  Placement place;
-};
-std::vector<SeenDetail> seenDetails(const std::vector<PlacedTiles>& groups,
-                                    const ViewProjection& view, double margin);
 
 }  // namespace vides

@@ -9,24 +9,19 @@ namespace {
 constexpr float kPointRadius = 1.3f / 1.2f;
 constexpr float kFade = 0.45f;
 
-Placement inCube(const Placement& place, const Space& space) {
-  return {space.toCube(place.origin), place.unit / space.halfSize};
-}
-
 }  // namespace
 
-void addScenes(DrawList& list, const ScenesInput& input, const Theme& theme) {
+void ScenePart::add(DrawList& list, const ScenesInput& input, const Theme& theme) {
   const Colour colour = theme[ColourRole::kScene];
   const float pointRadius = kPointRadius * input.lineWidth;
-  const auto add = [&](const DrawableScene::Tiles& (DrawableScene::*tiles)() const,
-                       const auto& style) {
+  const Placement inCube{input.space.toCube(Vec3(0.0)), 1.0 / input.space.halfSize};
+  using Which = const DrawableScene::Tiles& (DrawableScene::*)() const;
+  const auto add = [&](SceneCut& cut, Which tiles, const auto& style) {
     std::vector<PlacedTiles> groups;
-    for (const SharedDrawable& scene : input.scenes) {
-      groups.push_back({&(*scene.*tiles)(), inCube(scene->place(), input.space)});
-    }
-    for (SeenDetail& detail : seenDetails(groups, list.view, 2.0 * pointRadius)) {
+    for (const SharedDrawable& scene : input.scenes) groups.push_back({scene, tiles, inCube});
+    for (const SeenDetail& detail : cut.see(groups, list.view, 2.0 * pointRadius)) {
       DrawItem item;
-      item.geometry = std::move(detail.geometry);
+      item.geometry = detail.geometry;
       item.count = detail.count;
       item.place = detail.place;
       item.style = style;
@@ -35,9 +30,9 @@ void addScenes(DrawList& list, const ScenesInput& input, const Theme& theme) {
     }
   };
   const MarkerStyle disc{MarkerShape::kDisc, colour, kNoColour, pointRadius};
-  if (input.asPoints) return add(&DrawableScene::positions, disc);
-  add(&DrawableScene::points, disc);
-  add(&DrawableScene::edges, LineStyle{colour, input.lineWidth});
+  if (input.asPoints) return add(main_, &DrawableScene::positions, disc);
+  add(points_, &DrawableScene::points, disc);
+  add(main_, &DrawableScene::edges, LineStyle{colour, input.lineWidth});
 }
 
 }  // namespace vides

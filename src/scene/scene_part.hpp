@@ -7,6 +7,7 @@
 #include "flight/flight.hpp"
 #include "scene/draw_list.hpp"
 #include "scene/drawable_scene.hpp"
+#include "scene/scene_cut.hpp"
 #include "scene/theme.hpp"
 
 namespace vides {
@@ -18,7 +19,14 @@ struct ScenesInput {
   float lineWidth = 1.2f;  // pixels
 };
 
-// What of them the list's view shows.
-void addScenes(DrawList& list, const ScenesInput& input, const Theme& theme);
+// Keeps its geometry for as long as the view and the scenes stay the same.
+class ScenePart {
+ public:
+  // What of them the list's view shows.
+  void add(DrawList& list, const ScenesInput& input, const Theme& theme);
+
+ private:
+  SceneCut main_, points_;  // edges, or all positions; single points beside the edges
+};
 
 }  // namespace vides

@@ -34,6 +34,7 @@ struct ViewportScene::Parts {
   TangentsPart tangents;
   AimPart aim;
   CamerasPart cameras;
+  ScenePart scenes;
   DragPart drag;
 };
 
@@ -72,8 +73,8 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
     }
   }
   if (input.shown.scene) {
-    addScenes(list, {input.scenes, context.flight().space, input.shown.sceneAsPoints, lineWidth},
-              input.theme);
+    p.scenes.add(list, {input.scenes, context.flight().space, input.shown.sceneAsPoints, lineWidth},
+                 input.theme);
   }
   p.cameras.add(context);
   // Marks block before any label is placed.

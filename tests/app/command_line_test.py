@@ -17,9 +17,9 @@ class Help(ProgramTest):
         "check": ["--help", "--version", "FLIGHT", "FILE: POINTER: MESSAGE"],
         "screenshot": ["--help", "--version", "FLIGHT", "-o", "--output", "--size", "--scale",
                        "--view", "iso", "front", "side", "top", "camera", "--frame",
-                       "--whole-window"],
+                       "--whole-window", "--allow-missing-scenes"],
         "drive": ["--help", "--version", "FLIGHT", "--script", "--size", "--scale",
-                  "--language", "--setup"],
+                  "--language", "--setup", "--allow-missing-scenes"],
     }
 
     def test_help_mentions_everything(self):

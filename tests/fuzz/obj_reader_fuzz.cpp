@@ -104,8 +104,8 @@ void checkDrawable(const SceneGeometry& scene) {
     std::size_t sum = 0;
     for (const auto& tile : tiles) {
       for (const GeometryPoint& p : tile.details.front().geometry->points) {
-        require(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= 1.0f,
-                "what is drawn is within -1 and 1");
+        require(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= 2.0f,
+                "what is drawn is within -2 and 2");
       }
       sum += tile.details.front().geometry->elements();
     }

@@ -37,7 +37,7 @@ std::vector<DrawItem> itemsOf(const SharedDrawable& scene, const ViewProjection&
                               const Space& space = {}, bool asPoints = false) {
   DrawList list;
   list.view = view;
-  addScenes(list, {{scene}, space, asPoints, 1.2f}, theme(ThemeKind::kDark));
+  ScenePart().add(list, {{scene}, space, asPoints, 1.2f}, theme(ThemeKind::kDark));
   return list.items;
 }
 
@@ -106,11 +106,11 @@ TEST(DrawableScene, ExtremeScenesAreFinite) {
     scene.positions = positions;
     if (positions.size() > 1) scene.edges = {{0, 1}};
     const SharedDrawable drawable = DrawableScene::make(scene);
-    EXPECT_TRUE(std::isfinite(drawable->place().unit));
-    EXPECT_GT(drawable->place().unit, 0.0);
     for (const auto& tile : drawable->positions()) {
+      EXPECT_TRUE(std::isfinite(tile.place.unit));
+      EXPECT_GT(tile.place.unit, 0.0);
       for (const GeometryPoint& p : tile.details[0].geometry->points) {
-        EXPECT_LE(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1.0f);
+        EXPECT_LE(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 2.0f);
       }
     }
   }
@@ -138,17 +138,19 @@ TEST(DrawableScene, FromNearItIsWhole) {
   near.size = 20.0;
   const ViewProjection view = viewProjection(near, {0, 0, 800, 600});
   // Every edge that is seen is there, with its own ends.
-  std::set<std::array<float, 3>> drawn;
+  std::vector<Vec3> drawn;
   const auto items = itemsOf(drawable, view);
   for (const DrawItem& item : items) {
-    for (const GeometryPoint& p : item.geometry->points) drawn.insert({p.x, p.y, p.z});
+    for (const GeometryPoint& p : item.geometry->points) {
+      drawn.push_back(placeOf(item.place, p));
+    }
   }
   std::size_t seen = 0;
   for (const Vec3& position : scene.positions) {
     const auto pixel = view.project(position);
     if (!pixel || pixel->x < 0 || pixel->x > 800 || pixel->y < 0 || pixel->y > 600) continue;
-    const glm::vec3 p((position - drawable->place().origin) / drawable->place().unit);
-    EXPECT_TRUE(drawn.contains({p.x, p.y, p.z}));
+    EXPECT_TRUE(std::ranges::any_of(
+        drawn, [&](const Vec3& p) { return glm::distance(p, position) < 1e-7; }));
     ++seen;
   }
   EXPECT_GT(seen, 100u);
@@ -165,14 +167,15 @@ TEST(DrawableScene, CoarserDetailsCoverTheSame) {
     const auto& finest = tile.details.front().geometry->points;
     std::size_t before = finest.size();
     for (const auto& detail : tile.details) {
-      if (detail.cell == 0.0) continue;
+      if (detail.level == DrawableScene::kWhole) continue;
+      const double cell = drawable->cells().levels()[static_cast<std::size_t>(detail.level)].cell;
       ++coarser;
       EXPECT_LT(detail.geometry->points.size(), before);
       before = detail.geometry->points.size();
       EXPECT_GT(before, 0u);
       // Every corner of the coarse one has one of the whole within its cell, and the other way.
       const auto near = [&](const GeometryPoint& p, const std::vector<GeometryPoint>& others) {
-        const auto limit = static_cast<float>(detail.cell * 1.0001);
+        const auto limit = static_cast<float>(cell / tile.place.unit * 1.0001);
         return std::ranges::any_of(others, [&](const GeometryPoint& q) {
           return std::abs(p.x - q.x) <= limit && std::abs(p.y - q.y) <= limit &&
                  std::abs(p.z - q.z) <= limit;
