@@ -202,7 +202,7 @@ class Parser {
     screenshot_->add_option("-o,--output", screenshot.output, "The picture to write")
         ->type_name("PNG")
         ->required();
-    addSize(*screenshot_, "1280x800; of --view camera 1280, the flight's format gives the height",
+    addSize(*screenshot_, "1280x800; of --view camera 1280 in the flight's format",
             [this](const TypedSize& size) { screenshot.size = size; });
     addPictureOptions(*screenshot_, screenshot.scale, screenshot.offscreen);
     addAllowMissing(*screenshot_, screenshot.allowMissingScenes);

@@ -77,7 +77,6 @@ class Cases(ProgramTest):
             self.assertIn(f"{name}.vid: /scene/0/file: {why}", done.stderr.decode())
             self.assertFalse((self.folder / "a.png").exists())
 
-    @unittest.skip("comes with the model's rounding")
     def test_duration_drift(self):
         self.enter("duration-drift")
         info = json.loads(self.output_of("info", "--json", "beat.vid"))
