@@ -32,8 +32,7 @@ class ObjStatements {
       if (at_ == end_ || kind(*at_) == Kind::kEnd || *at_ == '#') return {};
       const char* const next = continuation(at_);
       if (next == nullptr) break;
-      at_ = next;
-      ++line_;
+      goOn(next);
     }
     const char* const first = at_;
     while (at_ != end_ && isPart(at_, first)) ++at_;
@@ -77,6 +76,12 @@ class ObjStatements {
     return kind(*at) == Kind::kEnd ? behindEnd(at) : nullptr;
   }
 
+  // The text's end is none of a line.
+  void goOn(const char* next) {
+    at_ = next;
+    if (kind(next[-1]) == Kind::kEnd) ++line_;
+  }
+
   const char* behindEnd(const char* at) const {
     return at + (*at == '\r' && at + 1 != end_ && at[1] == '\n' ? 2 : 1);
   }
@@ -93,8 +98,7 @@ class ObjStatements {
       if (its == Kind::kSpecial && !comment) {
         comment = *at_ == '#' && isComment(at_, first);
         if (const char* const next = continuation(at_)) {
-          at_ = next;
-          ++line_;
+          goOn(next);
           continue;
         }
       }

@@ -10,7 +10,7 @@ namespace vides {
 namespace {
 
 constexpr Rect kRoom{300.0f, 30.0f, 640.0f, 600.0f};
-constexpr ImVec2 kSize{220.0f, 24.0f};
+const ImVec2 kSize{220.0f, 24.0f};
 
 Handle handleAtPixel(double x, double y) { return {{}, {x, y}, 10.0}; }
 

@@ -73,6 +73,7 @@ TEST(ObjLineEnds, ABackslashGoesOnOnlyBeforeTheEnd) {
   EXPECT_EQ(scene.positions.size(), 3u);
   EXPECT_EQ(scene.triangles.size(), 2u);
   EXPECT_EQ(problemOf("v 0 0 \\ 0\n").fault, SceneFault::kNumber);
+  EXPECT_EQ(problemOf("\nv 3\\"), (SceneProblem{SceneFault::kCoordinates, 2, "1"}));
   EXPECT_EQ(problemOf("\\\n\n# c \\\n\nv 1 \\  \n x 2"),
             (SceneProblem{SceneFault::kNumber, 6, "x"}));
 }
