@@ -146,8 +146,8 @@ class Desk {
     ImGui::NewFrame();
     registry_.beginFrame();
     graphs_.follow(session_.evaluation());
-    Ui ui({fonts_.fonts, theme(ThemeKind::kDark), words_, tell_, parse_, hint_, registry_, memory_,
-           1.0f, 0.0, false});
+    Ui ui({fonts_.fonts, theme(ThemeKind::kDark), words_, tell_, hint_, registry_, memory_, 1.0f,
+           0.0, false});
     ImGui::SetNextWindowPos({0.0f, 0.0f});
     ImGui::SetNextWindowSize({1280.0f, 800.0f});
     ImGui::Begin("###window", nullptr, ImGuiWindowFlags_NoDecoration);
@@ -169,7 +169,6 @@ class Desk {
   Texts texts_{Language::kEnglish};
   Words words_ = [this](std::string_view key) { return std::string(texts_.words(key)); };
   Tell tell_ = [this](const Text& text) { return texts_.tell(text); };
-  NumberParser parse_ = [](std::string_view) { return std::nullopt; };
   ShortcutHint hint_ = [](std::string_view) { return std::string(); };
 };
 

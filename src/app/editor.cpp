@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/editor_parts.hpp"
+#include "edit/command_table.hpp"
 #include "scene/scene_reader.hpp"
 
 namespace vides {
@@ -92,7 +93,6 @@ Editor::Parts::Parts(const Gl& table, EditorOptions given)
   words = [this](std::string_view key) { return std::string(texts.words(key)); };
   tell = [this](const Text& text) { return texts.tell(text); };
   hint = [this](std::string_view line) { return shortcutOf(line); };
-  parse = [](std::string_view text) { return parseNumber(text); };
   ImGui::SetCurrentContext(context);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -152,33 +152,36 @@ void Editor::Parts::fitScale(double contentScale, PixelSize size) {
   }
 }
 
-void Editor::Parts::apply(const Actions& actions) {
+bool Editor::Parts::apply(const Actions& actions) {
+  bool done = !actions.refusal;
   for (const Actions::Step& step : actions.steps) {
     if (step.window) {
-      session.preview(step.command);
+      done = session.preview(step.command) && done;
       continue;
     }
-    if (!step.gesture) {
-      run(step.command);
+    // What isn't the flight's has no steps: it follows the hand at once.
+    if (!step.gesture || !findCommand(step.command.name)->edits()) {
+      if (step.gesture && step.phase == Phase::kCommit) continue;
+      done = run(step.command, step.continues) && done;
       continue;
     }
     if (!session.inDrag()) session.begin({});
-    session.preview(step.command);
+    done = session.preview(step.command) && done;
     if (step.phase == Phase::kCommit) session.commit();
     if (step.phase == Phase::kCancel) session.cancel();
   }
   if (actions.refusal) session.say(MessageKind::kRefusal, *actions.refusal);
-  if (actions.noNumber) {
-    session.say(MessageKind::kRefusal, Text("refusal.no-number", {*actions.noNumber}));
-  }
   if (actions.layout) session.setLayout(*actions.layout);
+  if (actions.menu) session.setMenu(*actions.menu);
+  if (actions.raise) session.raiseWindow(*actions.raise);
+  return done;
 }
 
 // View changes by a command glide there.
-bool Editor::Parts::run(const Command& command) {
+bool Editor::Parts::run(const Command& command, bool continues) {
   const bool swapped = session.view().swapped;
   const EditorView before = session.view().view;
-  const bool done = session.execute(command);
+  const bool done = session.execute(command, continues);
   const EditorView after = session.view().view;
   if (session.view().swapped != swapped) {
     // What is under the pointer is another picture now.
@@ -228,6 +231,7 @@ bool Editor::Parts::pass(const FrameInput& given) {
   io.DisplaySize = {static_cast<float>(given.size.width), static_cast<float>(given.size.height)};
   ImGui::NewFrame();
   registry.beginFrame();
+  memory.focus.begin();
   pictures->begin();
   graphs.follow(session.evaluation());
   Actions actions;
@@ -243,9 +247,17 @@ bool Editor::Parts::pass(const FrameInput& given) {
       tools.hover(viewportPlace(), overViewport ? std::optional(pointerAt) : std::nullopt);
   pointer = pointerShape(ImGui::GetMouseCursor());
   const EditorView view = session.view().view;
-  const bool changed = !actions.steps.empty() || actions.noNumber || actions.refusal ||
-                       actions.layout || (actions.view && *actions.view != view);
-  apply(actions);
+  if (memory.refused) actions.refusal = std::exchange(memory.refused, std::nullopt);
+  bool changed = !actions.steps.empty() || actions.refusal || actions.layout || actions.menu ||
+                 actions.raise || (actions.view && *actions.view != view);
+  const bool done = apply(actions);
+  // What was typed is committed first; if it is refused nothing goes on.
+  memory.endTyping = false;
+  if (const auto command = std::exchange(afterTyping, std::nullopt); command && done) {
+    run(*command);
+    changed = true;
+  }
+  changed = memory.focus.settle(registry) || changed;
   if (options.waitForWork) session.finishFrames();
   if (actions.view) {
     ViewState state = session.view();
@@ -352,7 +364,8 @@ FrameOutcome Editor::Parts::outcome() {
 
 bool Editor::run(const Command& command) {
   const Turn turn(parts_->options, parts_->context);
-  return parts_->run(command);
+  parts_->memory.wheeled.clear();
+  return parts_->ask(command);
 }
 std::string Editor::words(const Text& text) const { return parts_->tell(text); }
 std::string Editor::label(std::string_view id) const { return parts_->words(id); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the editor makes of events before Dear ImGui sees them: the viewport's pointer, shortcuts.
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/editor_parts.hpp"
 #include "edit/shortcuts.hpp"
@@ -85,13 +86,15 @@ bool Editor::Parts::notice(const InputEvent& event) {
     return wheelTurned(*wheel);
   } else if (const auto* key = std::get_if<KeyChanged>(&event)) {
     modifiers = key->modifiers;
-    keyChanged(*key);
+    return keyChanged(*key);
+  } else if (const auto* text = std::get_if<TextTyped>(&event)) {
+    return typed(*text);
   } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
     for (const std::string& path : dropped->paths) {
-      run(Command(path.ends_with(".vid") ? "open" : "import-scene", path));
+      ask(Command(path.ends_with(".vid") ? "open" : "import-scene", path));
     }
   } else if (std::holds_alternative<CloseRequested>(event)) {
-    run(Command("quit"));
+    ask(Command("quit"));
   } else if (const auto* focus = std::get_if<FocusChanged>(&event)) {
     focusChanged(focus->focused);
   }
@@ -104,6 +107,14 @@ void Editor::Parts::buttonChanged(const ButtonChanged& change) {
     cameraTools.release(change.button);
     return;
   }
+  memory.wheeled.clear();
+  if (!dragging()) pressed = {session.layout(), session.frame()};
+  // Beside an open menu: it closes, and the press does what it says where it falls.
+  if (!session.menu().empty() &&
+      !menus.holds(static_cast<float>(pointerAt.x), static_cast<float>(pointerAt.y))) {
+    session.setMenu({});
+  }
+  memory.focus.drop();
   if (session.question() || tools.active() || cameraTools.active()) return;
   if (overCamera) {
     cameraTools.press(filmView(), change.button, pointerAt, change.modifiers);
@@ -113,19 +124,121 @@ void Editor::Parts::buttonChanged(const ButtonChanged& change) {
   }
 }
 
-void Editor::Parts::keyChanged(const KeyChanged& change) {
-  const bool typing = !memory.editing.empty() || ImGui::GetIO().WantTextInput;
-  if (typing && change.pressed) return;
-  if (cameraTools.key(change) || tools.key(viewportPlace(), change)) return;
-  if (!change.pressed || typing) return;
-  // What is being dragged by a slider has Escape for itself.
-  if (!memory.dragging.empty()) return;
+bool Editor::Parts::typing() const {
+  return !memory.editing.empty() || ImGui::GetIO().WantTextInput;
+}
+
+bool Editor::Parts::keyChanged(const KeyChanged& change) {
+  if (change.pressed && !session.menu().empty() && !dragging()) {
+    menus.key(change);
+    return modifierOf(change.key) == Modifiers{};
+  }
+  if (change.pressed && typing()) return keyWhileTyping(change);
+  if (cameraTools.key(change) || tools.key(viewportPlace(), change)) return false;
+  if (!change.pressed) return false;
+  if (modifierOf(change.key) == Modifiers{}) memory.wheeled.clear();
+  if (dragging()) {
+    keyInDrag(change);
+    return false;
+  }
+  if (keyOfFocus(change)) return true;
   // The chooser has all keys for itself, unless something is asked.
-  if (!windowsMemory.chooser.window.empty() && !session.question()) return;
+  if (!windowsMemory.chooser.window.empty() && !session.question()) return false;
   const Shortcut* shortcut = shortcutFor(change.key, change.modifiers, change.repeated);
-  if (shortcut == nullptr) return;
+  if (shortcut == nullptr) return false;
   if (options.pressed) options.pressed(*shortcut);
   run(shortcut->command);
+  return false;
+}
+
+bool Editor::Parts::keyWhileTyping(const KeyChanged& change) {
+  const Modifiers& held = change.modifiers;
+  const bool asks = !windowsMemory.chooser.window.empty() || session.question();
+  if (change.key == KeyboardKey::kTab && !held.control && !held.alt && !held.super) {
+    memory.endTyping = !memory.editing.empty();
+    memory.focus.walk(held.shift ? -1 : 1);
+    return true;
+  }
+  const Shortcut* shortcut = shortcutFor(change.key, held, change.repeated);
+  if (shortcut == nullptr || !shortcut->commitsTyping || asks || memory.editing.empty())
+    return false;
+  if (options.pressed) options.pressed(*shortcut);
+  memory.endTyping = true;
+  afterTyping = shortcut->command;
+  return true;
+}
+
+bool Editor::Parts::keyOfFocus(const KeyChanged& change) {
+  KeyboardFocus& focus = memory.focus;
+  const Modifiers& held = change.modifiers;
+  if (held.control || held.alt || held.super) return false;
+  if (change.key == KeyboardKey::kTab) {
+    if (!focus.canWalk()) return false;
+    focus.walk(held.shift ? -1 : 1);
+    return true;
+  }
+  if (held.shift) return false;
+  if (change.key == KeyboardKey::kEscape) {
+    // In a panel nothing has to be closed: only the keyboard is given up.
+    if (!focus.widget().empty() && focus.window().empty()) {
+      focus.drop();
+      return true;
+    }
+    if (!session.windowOpen(focus.window())) return false;
+    run(Command("close-window", focus.window()));
+    return true;
+  }
+  const bool operates = change.key == KeyboardKey::kEnter || change.key == KeyboardKey::kPadEnter ||
+                        change.key == KeyboardKey::kSpace;
+  if (!operates || !focus.operable(registry)) return false;
+  if (!change.repeated) focus.operate();
+  return true;
+}
+
+bool Editor::Parts::typed(const TextTyped& text) {
+  if (session.menu().empty()) return false;
+  menus.typed(text.text);
+  return true;
+}
+
+bool Editor::Parts::dragging() const {
+  if (session.inDrag() || tools.dragging() || cameraTools.dragging()) return true;
+  if (!memory.dragging.empty()) return true;
+  // Whatever widget holds the pointer: a splitter, a window's heading, the playhead.
+  if (!ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput) return false;
+  const float far = ImGui::GetIO().MouseDragThreshold * static_cast<float>(scale);
+  return ImGui::IsMouseDragging(ImGuiMouseButton_Left, far) ||
+         ImGui::IsMouseDragging(ImGuiMouseButton_Right, far);
+}
+
+void Editor::Parts::keyInDrag(const KeyChanged& change) {
+  if (change.key == KeyboardKey::kEscape) {
+    // What a widget previews it puts back itself.
+    if (memory.dragging.empty() && !session.inDrag()) putBack();
+    return;
+  }
+  if (shortcutFor(change.key, change.modifiers) == nullptr) return;
+  session.say(MessageKind::kRefusal, "refusal.in-gesture");
+}
+
+void Editor::Parts::putBack() {
+  ImGui::ClearActiveID();
+  memory.dragging.clear();
+  session.setLayout(pressed.layout);
+  if (session.frame() != pressed.frame) run(Command("go-to-frame", pressed.frame));
+}
+
+bool Editor::Parts::ask(const Command& command) {
+  if (!dragging()) return run(command);
+  if (command.name == "escape") {
+    tools.cancel();
+    cameraTools.cancel();
+    session.cancel();
+    putBack();
+    return true;
+  }
+  session.say(MessageKind::kRefusal, "refusal.in-gesture");
+  return false;
 }
 
 std::string Editor::Parts::shortcutOf(std::string_view commandLine) const {

@@ -14,6 +14,7 @@
 #include "edit/texts.hpp"
 #include "edit/viewport_tools.hpp"
 #include "panels/flight_graphs.hpp"
+#include "panels/menu_memory.hpp"
 #include "panels/timeline_panel.hpp"
 #include "panels/ui.hpp"
 #include "panels/windows.hpp"
@@ -57,7 +58,6 @@ struct Editor::Parts {
   Texts texts{Language::kEnglish};
   Words words;
   Tell tell;
-  NumberParser parse;
   ShortcutHint hint;
 
   ImguiInput input;
@@ -65,6 +65,8 @@ struct Editor::Parts {
   WidgetRegistry registry;
   TimelineView timeline;
   WindowsMemory windowsMemory;
+  MenuMemory menus;
+  std::optional<Command> afterTyping;  // goes on when what is typed has been committed
   ViewportTools tools{session};
   CameraTools cameraTools{session};
   Vec2 pointerAt{-1.0};
@@ -75,6 +77,13 @@ struct Editor::Parts {
   bool overCamera = false;
   PointerShape pointer = PointerShape::kArrow;
 
+  // At the last press of a button: what a drag may change that is no part of the flight.
+  struct Pressed {
+    Layout layout;
+    std::int64_t frame = 0;
+  };
+  Pressed pressed;
+
   std::optional<Glide> glide;
   double time = 0.0;
   int settling = 0;
@@ -84,8 +93,8 @@ struct Editor::Parts {
   void fitScale(double contentScale, PixelSize size);
   bool pass(const FrameInput& given);
   void draw(const FrameInput& given);
-  void apply(const Actions& actions);
-  bool run(const Command& command);
+  bool apply(const Actions& actions);  // false where something was refused
+  bool run(const Command& command, bool continues = false);
   void stepGlide();
   void endGlide();
   FrameOutcome outcome();
@@ -100,7 +109,19 @@ struct Editor::Parts {
   ViewportPlace viewportPlace();
   ViewProjection filmView() const;
   PointerTarget pick(const Vec2& pixel) const;
-  void keyChanged(const KeyChanged& change);
+  // The next three are true where Dear ImGui must not see the key.
+  bool keyChanged(const KeyChanged& change);
+  bool keyWhileTyping(const KeyChanged& change);
+  bool keyOfFocus(const KeyChanged& change);
+  bool typed(const TextTyped& text);
+  bool typing() const;
+  // Whether something follows the pointer: what else the hand asks for has to wait.
+  bool dragging() const;
+  void keyInDrag(const KeyChanged& change);
+  // Escape: back to where it was at the press.
+  void putBack();
+  // A command that comes from outside of panels: by a key, a file that is dropped, as text.
+  bool ask(const Command& command);
   std::string shortcutOf(std::string_view commandLine) const;
   // editor_window.cpp
   Ui::Setting uiSetting();

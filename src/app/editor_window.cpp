@@ -34,17 +34,11 @@ Rect below(const Rect& rect, float height) {
 }  // namespace
 
 Ui::Setting Editor::Parts::uiSetting() {
-  return {fonts.fonts,
-          colours,
-          words,
-          tell,
-          parse,
-          hint,
-          registry,
-          memory,
-          static_cast<float>(scale),
-          time,
-          session.display().language != Language::kEnglish};
+  return {fonts.fonts, colours,
+          words,       tell,
+          hint,        registry,
+          memory,      static_cast<float>(scale),
+          time,        session.display().language != Language::kEnglish};
 }
 
 ViewportState Editor::Parts::viewportState() const {
@@ -235,21 +229,17 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
   const float menu = ui.px(kMenuHeight);
-  ImGui::PushStyleVar(
-      ImGuiStyleVar_FramePadding,
-      ImVec2(ui.px(8), std::floor((menu - ui.font(Weight::kRegular)->FontSize) / 2)));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, 0);
   ImGui::Begin("###window", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                   ImGuiWindowFlags_NoSavedSettings |
-                   (session.layout().bare ? 0 : ImGuiWindowFlags_MenuBar) |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoScrollWithMouse);
   float top = menu;
   if (!session.layout().bare) {
-    top += menuBar(ui, session, outputLine(), session.layout(), actions);
+    top += menuBar(ui, session, outputLine(), menu, menus, actions);
   }
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
+  ImGui::PopStyleVar(2);
   if (session.layout().bare) {
     viewportArea(ui, {0.0f, 0.0f, size.x, size.y}, actions);
   } else {
@@ -262,6 +252,7 @@ void Editor::Parts::window(Ui& ui, Actions& actions) {
   ui.setWorkArea(below({0.0f, 0.0f, size.x, size.y}, top).inset(margin));
   pointerSigns(ui);
   windows(ui, session, texts, windowsMemory, actions);
+  openMenu(ui, session, session.layout(), menus, actions);
 }
 
 void Editor::Parts::arrange(Ui& ui, const Rect& all, Actions& actions) {

@@ -39,6 +39,7 @@ class CameraTools {
 
   bool active() const { return press_.has_value(); }
   // Whether advance() would move the camera: another display frame is wanted.
+  bool dragging() const { return walking() || (press_ && press_->dragging); }
   bool walking() const;
 
  private:

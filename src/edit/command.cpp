@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "edit/command_table.hpp"
+#include "edit/sum.hpp"
 
 namespace vides {
 namespace {
@@ -71,12 +72,18 @@ bool countFits(const CommandSpecification& command, std::size_t count) {
 }
 
 bool isNumber(ArgumentKind kind) {
-  return kind == ArgumentKind::kNumber || kind == ArgumentKind::kIndex;
+  return kind == ArgumentKind::kNumber || kind == ArgumentKind::kIndex ||
+         kind == ArgumentKind::kValue;
 }
 
 std::optional<Text> problemWith(const ArgumentSpecification& specification,
                                 const Argument& argument) {
   const std::string& name = specification.name;
+  const auto* written = std::get_if<std::string>(&argument);
+  if (specification.kind == ArgumentKind::kValue && written != nullptr && startsFromOwn(*written)) {
+    const auto sum = evaluateSum(*written, 1.0);
+    return sum ? std::nullopt : std::optional(sum.error());
+  }
   if (isNumber(specification.kind)) {
     const double* number = std::get_if<double>(&argument);
     if (number == nullptr) {
@@ -167,7 +174,14 @@ tl::expected<Command, Text> parseCommand(std::string_view line) {
   for (std::size_t i = 1; i < tokens->size(); ++i) {
     const ArgumentSpecification* argument = argumentOf(*specification, i - 1);
     const Token& token = (*tokens)[i];
-    const bool number = argument != nullptr && isNumber(argument->kind) && !token.quoted;
+    const bool sum = argument != nullptr && argument->kind == ArgumentKind::kValue;
+    if (sum && !token.quoted && !startsFromOwn(token.text)) {
+      const auto value = evaluateSum(token.text);
+      if (!value && value.error().key != "refusal.no-number") return tl::unexpected(value.error());
+      value ? command.add(*value) : command.add(token.text);
+      continue;
+    }
+    const bool number = argument != nullptr && !sum && isNumber(argument->kind) && !token.quoted;
     if (const auto value = number ? parseNumber(token.text) : std::nullopt) {
       command.add(*value);
     } else {

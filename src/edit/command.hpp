@@ -36,6 +36,7 @@ struct Command {
   void add(std::size_t number) { arguments.emplace_back(static_cast<double>(number)); }
   void add(std::int64_t number) { arguments.emplace_back(static_cast<double>(number)); }
   void add(std::string text) { arguments.emplace_back(std::move(text)); }
+  void add(Argument argument) { arguments.push_back(std::move(argument)); }
   void add(const char* text) { arguments.emplace_back(std::string(text)); }
   void add(const Vec3& point) {
     for (int i = 0; i < 3; ++i) add(point[i]);

@@ -2,6 +2,7 @@
 // The table of commands.
 #include "edit/command_table.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "edit/display.hpp"
@@ -21,6 +22,7 @@ using Acts = SessionActions;
 
 Argument number(const char* name) { return {name, ArgumentKind::kNumber, {}, false, false}; }
 Argument index(const char* name) { return {name, ArgumentKind::kIndex, {}, false, false}; }
+Argument value(const char* name) { return {name, ArgumentKind::kValue, {}, false, false}; }
 Argument text(const char* name) { return {name, ArgumentKind::kText, {}, false, false}; }
 Argument choice(const char* name, std::vector<std::string> choices) {
   return {name, ArgumentKind::kChoice, std::move(choices), false, false};
@@ -33,6 +35,8 @@ Argument repeated(Argument argument) {
   argument.repeated = true;
   return argument;
 }
+Argument axis() { return choice("AXIS", {"x", "y", "z"}); }
+Argument inUnits() { return optional(choice("UNITS", {"cube", "scene"})); }
 Argument onOff() { return optional(choice("on|off|toggle", {"on", "off", "toggle"})); }
 
 bool canUndo(const Session& s) { return s.undoName().has_value(); }
@@ -45,6 +49,13 @@ bool writesNothing(const Session& s) { return s.frameJob() == nullptr; }
 bool hasQuestion(const Session& s) { return s.question().has_value(); }
 bool hasShapeWindow(const Session& s) { return s.inWindow() && s.windowOpen("shape"); }
 bool hasRecent(const Session& s) { return !s.recentFiles().empty(); }
+
+// Questions and the chooser let nothing through to the menus.
+bool reachesMenus(const Session& s) {
+  return !s.question() &&
+         std::none_of(s.windows().begin(), s.windows().end(),
+                      [](const std::string& name) { return name.starts_with("chooser-"); });
+}
 
 void addEdit(Table& table, const char* name, std::vector<Argument> arguments, EditFunction run) {
   table.push_back({name, std::move(arguments), run, true, nullptr});
@@ -104,12 +115,13 @@ void addKeyCommands(Table& t) {
   addAct(t, "previous-key", {}, Acts::previousKey);
   addAct(t, "next-key", {}, Acts::nextKey);
   addEdit(t, "move-key", {index("KEY"), number("X"), number("Y"), number("Z")}, moveKeyEdit);
+  addEdit(t, "set-coordinate", {axis(), value("VALUE"), inUnits()}, setCoordinateEdit);
   addEdit(t, "move-keys", {number("DX"), number("DY"), number("DZ")}, moveKeysEdit);
   addEdit(t, "set-preset", {index("PRESET")}, setPresetEdit);
   addEdit(t, "set-shape", {number("TENSION"), number("CONTINUITY"), number("BIAS")}, setShapeEdit);
-  addEdit(t, "set-tension", {number("TENSION")}, setTensionEdit);
-  addEdit(t, "set-continuity", {number("CONTINUITY")}, setContinuityEdit);
-  addEdit(t, "set-bias", {number("BIAS")}, setBiasEdit);
+  addEdit(t, "set-tension", {value("TENSION")}, setTensionEdit);
+  addEdit(t, "set-continuity", {value("CONTINUITY")}, setContinuityEdit);
+  addEdit(t, "set-bias", {value("BIAS")}, setBiasEdit);
   addEdit(t, "set-preset-shape",
           {index("PRESET"), number("TENSION"), number("CONTINUITY"), number("BIAS")},
           setPresetShapeEdit);
@@ -125,10 +137,13 @@ void addOrientationCommands(Table& t) {
   addAct(t, "previous-orientation", {}, Acts::previousOrientation);
   addAct(t, "next-orientation", {}, Acts::nextOrientation);
   addEdit(t, "set-aim", {number("X"), number("Y"), number("Z")}, setAimEdit);
+  addEdit(t, "set-aim-coordinate", {axis(), value("VALUE"), inUnits()}, setAimCoordinateEdit);
   addEdit(t, "move-aims", {number("DX"), number("DY"), number("DZ")}, moveAimsEdit);
   addEdit(t, "set-aim-mode", {choice("MODE", {"absolute", "relative"})}, setAimModeEdit);
-  addEdit(t, "set-roll", {number("DEGREES")}, setRollEdit);
-  addEdit(t, "set-zoom", {number("ZOOM")}, setZoomEdit);
+  addEdit(t, "set-roll", {value("DEGREES")}, setRollEdit);
+  addEdit(t, "set-zoom", {value("ZOOM")}, setZoomEdit);
+  addEdit(t, "set-focal-length", {value("MILLIMETRES")}, setFocalLengthEdit);
+  addEdit(t, "set-field-of-view", {value("DEGREES")}, setFieldOfViewEdit);
   addEdit(t, "set-speed", speedArguments(), setSpeedEdit);
   addEdit(t, "set-speed-value", {index("NUMBER"), number("SPEED")}, setSpeedValueEdit);
   addEdit(t, "ease", {choice("PRESET", easeChoices())}, easeEdit);
@@ -143,7 +158,7 @@ void addShapeCommands(Table& t) {
   std::vector<std::string> choices{"own"};
   for (std::size_t i = 0; i < kPresets; ++i) choices.push_back(std::to_string(i));
   addAct(t, "shape-choose", {choice("PRESET|own", choices)}, Acts::shapeChoose, hasShapeWindow);
-  addAct(t, "shape-set", {choice("PARAMETER", {"tension", "continuity", "bias"}), number("VALUE")},
+  addAct(t, "shape-set", {choice("PARAMETER", {"tension", "continuity", "bias"}), value("VALUE")},
          Acts::shapeSet, hasShapeWindow);
   addAct(t, "shape-show", {}, Acts::shapeShow, hasShapeWindow);
   addAct(t, "shape-ok", {}, Acts::shapeOk, hasShapeWindow);
@@ -269,6 +284,9 @@ void addDisplayCommands(Table& t) {
   addAct(t, "reset-setup", {}, Acts::resetSetup);
   addAct(t, "show-window", {choice("WINDOW", windows)}, Acts::showWindow);
   addAct(t, "close-window", {optional(choice("WINDOW", windows))}, Acts::closeWindow);
+  addAct(t, "show-menu",
+         {optional(choice("MENU", {"file", "edit", "view", "output", "settings", "help"}))},
+         Acts::showMenu, reachesMenus);
   addAct(t, "full-screen", {onOff()}, Acts::fullScreen);
   addAct(t, "escape", {}, Acts::escape);
 }

@@ -19,6 +19,7 @@ class Session;
 enum class ArgumentKind {
   kNumber,  // finite, at most 1e15 in size
   kIndex,   // whole, 0 or more
+  kValue,   // finite, a sum or a text that starts from the number that is there (edit/sum.hpp)
   kText,    // any
   kChoice,  // one of `choices`
 };

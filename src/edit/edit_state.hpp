@@ -5,6 +5,7 @@
 #include <optional>
 #include <tl/expected.hpp>
 
+#include "edit/chosen_orientations.hpp"
 #include "edit/command.hpp"
 #include "edit/marks.hpp"
 #include "edit/text.hpp"
@@ -18,9 +19,14 @@ struct EditState {
   Flight flight;
   Evaluation evaluation;  // of the flight
   Marks marks;            // within the flight
+  ChosenOrientations chosen = {};
 
   const OrientationPlace& current() const { return marks.current; }
   const Key& key() const { return flight.keys[marks.current.key]; }
+  // That of another selected key which is current there.
+  std::size_t orientationAt(std::size_t key) const {
+    return key == marks.current.key ? marks.current.orientation : chosen.at(flight, key);
+  }
   const Orientation& orientation() const { return key().orientations[marks.current.orientation]; }
 };
 
@@ -43,6 +49,8 @@ class Arguments {
   double number(std::size_t i) const { return std::get<double>(arguments_[i]); }
   // A whole number, 0 or more.
   std::size_t index(std::size_t i) const { return static_cast<std::size_t>(number(i)); }
+  // A number, or a text that starts from the one that is there (edit/sum.hpp).
+  const Argument& value(std::size_t i) const { return arguments_[i]; }
   const std::string& text(std::size_t i) const { return std::get<std::string>(arguments_[i]); }
   Vec3 point(std::size_t first) const {
     return {number(first), number(first + 1), number(first + 2)};

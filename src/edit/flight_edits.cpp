@@ -6,23 +6,13 @@
 #include <cmath>
 #include <string>
 
+#include "edit/key_values.hpp"
+
 namespace vides {
 namespace {
 
 Edit changedFlight(const EditState& state, Text step, Flight flight) {
   return Edit{std::move(flight), std::move(step), state.marks};
-}
-
-// The current key's shape becomes its own, with something changed.
-template <class Change>
-Edit ownShape(const EditState& state, Change change) {
-  Key key = state.key();
-  Shape shape = shapeOf(state.flight, key);
-  change(shape);
-  key.shape.preset = KeyShape::kOwn;
-  key.shape.own = shape;
-  return Edit{withKey(state.flight, state.current().key, std::move(key)),
-              Text("step.set-shape", {state.current().key + 1}), state.marks};
 }
 
 Shape shapeFrom(const Arguments& arguments, std::size_t first) {
@@ -47,27 +37,35 @@ int pixels(double number) { return static_cast<int>(std::min(number, 1e9)); }
 EditResult setPresetEdit(const EditState& state, const Arguments& arguments) {
   const std::size_t preset = arguments.index(0);
   if (preset >= kPresets) return tl::unexpected(Text("refusal.preset", {preset}));
-  Key key = state.key();
-  key.shape.preset = static_cast<int>(preset);
-  key.shape.own = {};
-  return Edit{withKey(state.flight, state.current().key, std::move(key)),
-              Text("step.set-preset", {state.current().key + 1, preset}), state.marks};
+  auto edit = changeSelected(state, "step.set-preset", "step.set-presets",
+                             [&](Key& key, std::size_t) -> std::optional<Text> {
+                               key.shape.preset = static_cast<int>(preset);
+                               key.shape.own = {};
+                               return std::nullopt;
+                             });
+  if (edit) edit->step.parts.emplace_back(preset);
+  return edit;
 }
 
 EditResult setShapeEdit(const EditState& state, const Arguments& arguments) {
-  return ownShape(state, [&](Shape& shape) { shape = shapeFrom(arguments, 0); });
+  return changeSelected(state, "step.set-shape", "step.set-shapes",
+                        [&](Key& key, std::size_t) -> std::optional<Text> {
+                          key.shape.preset = KeyShape::kOwn;
+                          key.shape.own = shapeFrom(arguments, 0);
+                          return std::nullopt;
+                        });
 }
 
 EditResult setTensionEdit(const EditState& state, const Arguments& arguments) {
-  return ownShape(state, [&](Shape& shape) { shape.tension = arguments.number(0); });
+  return setInSelected(state, KeyValue::kTension, arguments.value(0));
 }
 
 EditResult setContinuityEdit(const EditState& state, const Arguments& arguments) {
-  return ownShape(state, [&](Shape& shape) { shape.continuity = arguments.number(0); });
+  return setInSelected(state, KeyValue::kContinuity, arguments.value(0));
 }
 
 EditResult setBiasEdit(const EditState& state, const Arguments& arguments) {
-  return ownShape(state, [&](Shape& shape) { shape.bias = arguments.number(0); });
+  return setInSelected(state, KeyValue::kBias, arguments.value(0));
 }
 
 EditResult setPresetShapeEdit(const EditState& state, const Arguments& arguments) {

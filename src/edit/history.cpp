@@ -47,6 +47,7 @@ void History::push(Step step) {
     bytes_ -= steps_.back().bytes;
     steps_.pop_back();
   }
+  ++revision_;
   // Undo needs `before`, which may be the whole of an imported flight that nothing else holds.
   step.bytes = unsharedBytes(step.before, step.after) + unsharedBytes(step.after, step.before) +
                bytesOf(step.marksBefore.selected) + bytesOf(step.marksAfter.selected);
@@ -59,7 +60,18 @@ void History::push(Step step) {
   at_ = steps_.size();
 }
 
+void History::extend(const Flight& after, const Marks& marksAfter) {
+  Step step = std::move(steps_.back());
+  bytes_ -= step.bytes;
+  steps_.pop_back();
+  --at_;
+  step.after = after;
+  step.marksAfter = marksAfter;
+  push(std::move(step));
+}
+
 void History::clear() {
+  ++revision_;
   steps_.clear();
   at_ = 0;
   bytes_ = 0;

@@ -27,15 +27,25 @@ class History {
   // Forgets what could be redone, and the oldest steps while the limit is exceeded; the newest
   // step always stays.
   void push(Step step);
+  // The step that would be undone now leads here; there must be one, and nothing to be redone.
+  void extend(const Flight& after, const Marks& marksAfter);
   bool canUndo() const { return at_ > 0; }
   bool canRedo() const { return at_ < steps_.size(); }
   // The step that would be undone (redone); there must be one.
   const Step& undoStep() const { return steps_[at_ - 1]; }
   const Step& redoStep() const { return steps_[at_]; }
-  void undo() { --at_; }
-  void redo() { ++at_; }
+  void undo() {
+    --at_;
+    ++revision_;
+  }
+  void redo() {
+    ++at_;
+    ++revision_;
+  }
   void clear();
 
+  // Another number whenever steps came, went, were undone or redone.
+  std::size_t revision() const { return revision_; }
   std::size_t steps() const { return steps_.size(); }
   std::size_t bytes() const { return bytes_; }
   // Changes every flight that is held, in the same way (scene paths when the file moves).
@@ -44,6 +54,7 @@ class History {
  private:
   std::size_t mostBytes_;
   std::size_t bytes_ = 0;
+  std::size_t revision_ = 0;
   std::deque<Step> steps_;
   std::size_t at_ = 0;  // steps [0, at_) are done
 };

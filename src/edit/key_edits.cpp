@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "edit/key_values.hpp"
 #include "evaluate/insertion.hpp"
 #include "flight/limits.hpp"
 
@@ -125,6 +126,12 @@ EditResult moveKeyEdit(const EditState& state, const Arguments& arguments) {
   key.position = arguments.point(1);
   return Edit{withKey(state.flight, index, std::move(key)), Text("step.move-key", {index + 1}),
               state.marks};
+}
+
+EditResult setCoordinateEdit(const EditState& state, const Arguments& arguments) {
+  constexpr KeyValue kAxes[] = {KeyValue::kX, KeyValue::kY, KeyValue::kZ};
+  return setInSelected(state, kAxes[arguments.text(0)[0] - 'x'], arguments.value(1),
+                       unitsFrom(arguments, 2));
 }
 
 Vec3 offsetWithinCube(const Flight& flight, const KeySelection& keys, const Vec3& offset) {

@@ -15,6 +15,8 @@ EditResult appendKeyEdit(const EditState& state, const Arguments& arguments);
 EditResult deleteKeysEdit(const EditState& state, const Arguments& arguments);
 EditResult duplicateKeysEdit(const EditState& state, const Arguments& arguments);
 EditResult moveKeyEdit(const EditState& state, const Arguments& arguments);
+// That coordinate of all selected keys.
+EditResult setCoordinateEdit(const EditState& state, const Arguments& arguments);
 EditResult moveKeysEdit(const EditState& state, const Arguments& arguments);
 
 // The keys after the current one; they become the selection, the last of them current.

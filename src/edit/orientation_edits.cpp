@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "edit/ease.hpp"
+#include "edit/key_values.hpp"
 #include "evaluate/joint.hpp"
 #include "flight/limits.hpp"
 
@@ -55,20 +56,24 @@ EditResult deleteOrientationEdit(const EditState& state, const Arguments&) {
 }
 
 EditResult setAimEdit(const EditState& state, const Arguments& arguments) {
-  return changed(state, "step.set-aim",
-                 [&](Orientation& o) { setAimPoint(state.key(), o, arguments.point(0)); });
+  return changeSelected(state, "step.set-aim", "step.move-aims",
+                        [&](Key& key, std::size_t orientation) -> std::optional<Text> {
+                          setAimPoint(key, key.orientations[orientation], arguments.point(0));
+                          return std::nullopt;
+                        });
 }
 
-OrientationPlace orientationLikeCurrent(const EditState& state, std::size_t key) {
-  const std::size_t last = state.flight.keys[key].orientations.size() - 1;
-  return {key, std::min(state.current().orientation, last)};
+EditResult setAimCoordinateEdit(const EditState& state, const Arguments& arguments) {
+  constexpr KeyValue kAxes[] = {KeyValue::kAimX, KeyValue::kAimY, KeyValue::kAimZ};
+  return setInSelected(state, kAxes[arguments.text(0)[0] - 'x'], arguments.value(1),
+                       unitsFrom(arguments, 2));
 }
 
 Flight withMovedAims(const EditState& state, const KeySelection& keys, const Vec3& offset) {
   Flight result = state.flight;
   for (const std::size_t k : keys.keys()) {
     Key key = state.flight.keys[k];
-    key.orientations[orientationLikeCurrent(state, k).orientation].aim += offset;
+    key.orientations[state.orientationAt(k)].aim += offset;
     result.keys.set(k, std::move(key));
   }
   return result;
@@ -93,11 +98,19 @@ EditResult setAimModeEdit(const EditState& state, const Arguments& arguments) {
 }
 
 EditResult setRollEdit(const EditState& state, const Arguments& arguments) {
-  return changed(state, "step.set-roll", [&](Orientation& o) { o.roll = arguments.number(0); });
+  return setInSelected(state, KeyValue::kRoll, arguments.value(0));
 }
 
 EditResult setZoomEdit(const EditState& state, const Arguments& arguments) {
-  return changed(state, "step.set-zoom", [&](Orientation& o) { o.zoom = arguments.number(0); });
+  return setInSelected(state, KeyValue::kZoom, arguments.value(0));
+}
+
+EditResult setFocalLengthEdit(const EditState& state, const Arguments& arguments) {
+  return setInSelected(state, KeyValue::kFocalLength, arguments.value(0));
+}
+
+EditResult setFieldOfViewEdit(const EditState& state, const Arguments& arguments) {
+  return setInSelected(state, KeyValue::kFieldOfView, arguments.value(0));
 }
 
 EditResult setSpeedEdit(const EditState& state, const Arguments& arguments) {

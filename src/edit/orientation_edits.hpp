@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Edits of the current orientation and of the section it begins. Pure functions.
+// Edits of the current orientation and of the section it begins, and of the orientations that are
+// current in the selected keys (aim, roll, zoom). Pure functions.
 #pragma once
 
 #include "edit/edit_state.hpp"
@@ -9,10 +10,13 @@ namespace vides {
 EditResult insertOrientationEdit(const EditState& state, const Arguments& arguments);
 EditResult deleteOrientationEdit(const EditState& state, const Arguments& arguments);
 EditResult setAimEdit(const EditState& state, const Arguments& arguments);
+EditResult setAimCoordinateEdit(const EditState& state, const Arguments& arguments);
 EditResult moveAimsEdit(const EditState& state, const Arguments& arguments);
 EditResult setAimModeEdit(const EditState& state, const Arguments& arguments);
 EditResult setRollEdit(const EditState& state, const Arguments& arguments);
 EditResult setZoomEdit(const EditState& state, const Arguments& arguments);
+EditResult setFocalLengthEdit(const EditState& state, const Arguments& arguments);
+EditResult setFieldOfViewEdit(const EditState& state, const Arguments& arguments);
 EditResult setSpeedEdit(const EditState& state, const Arguments& arguments);
 EditResult setSpeedValueEdit(const EditState& state, const Arguments& arguments);
 EditResult easeEdit(const EditState& state, const Arguments& arguments);
@@ -25,10 +29,7 @@ EditResult setHoldEdit(const EditState& state, const Arguments& arguments);
 // Whether the current orientation begins a section: all but an open flight's last one.
 bool ownsSection(const EditState& state);
 
-// Of a selected key the orientation that "the current orientations" of several keys means: that of
-// the current one's number, or the key's last.
-OrientationPlace orientationLikeCurrent(const EditState& state, std::size_t key);
-// The aims of these keys' orientations (like the current one) moved by the same way.
+// The aims of these keys' current orientations moved by the same way.
 Flight withMovedAims(const EditState& state, const KeySelection& keys, const Vec3& offset);
 
 }  // namespace vides

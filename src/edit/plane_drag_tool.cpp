@@ -52,6 +52,14 @@ void PlaneDragTool::cycle(Axis axis) {
   axis_ = axis;
 }
 
+bool PlaneDragTool::look(const ViewProjection& view) {
+  const auto before = grab_.view.project(grab_.point), now = view.project(grab_.point);
+  if (!before || !now) return false;
+  grab_.pointer += *now - *before;
+  grab_.view = view;
+  return true;
+}
+
 std::optional<Axis> PlaneDragTool::constant() const {
   if (constraint_ == Constraint::kAxis) return std::nullopt;
   return constraint_ == Constraint::kPlane ? axis_ : button_;

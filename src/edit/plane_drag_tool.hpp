@@ -28,6 +28,8 @@ class PlaneDragTool {
   // X, Y, Z during a drag: along that axis, then with that coordinate kept, then the button's
   // plane.
   void cycle(Axis axis);
+  // Goes on in another view of the same point; false where the point can't be seen in it.
+  bool look(const ViewProjection& view);
   // To multiples of `step`, a multiple of 1e-6.
   void setSnap(std::optional<double> step) { snap_ = step; }
 

@@ -39,6 +39,7 @@ void Session::reset(Flight flight) {
   state_.evaluation = Evaluation(flight);
   state_.flight = flight;
   state_.marks = Marks{};
+  state_.chosen = {};
   savedFlight_ = std::move(flight);
   modified_ = false;
   missingOnDisk_ = false;
@@ -95,10 +96,15 @@ bool Session::execute(std::string_view line) {
   return command ? execute(*command) : refuse(command.error());
 }
 
-bool Session::execute(const Command& command) {
+bool Session::execute(const Command& command, bool continues) {
   if (auto checked = checkArguments(command); !checked) return refuse(checked.error());
   if (auto why = obstacle(command)) return refuse(std::move(*why));
+  const std::size_t revision = history_.revision();
+  continues_ = continues && run_ == revision;
+  if (!continues_) run_.reset();
   const auto done = run(command);
+  continues_ = false;
+  if (history_.revision() != revision) run_ = history_.revision();
   if (!gesture_) endGesture();
   if (done) {
     if (seams_.ran) seams_.ran(command);
@@ -116,7 +122,8 @@ bool Session::available(std::string_view name) const {
 
 std::optional<Text> Session::obstacle(const Command& command) const {
   const CommandSpecification& specification = *findCommand(command.name);
-  if (specification.exclusive && gesture_ && !gesture_->window) return "refusal.in-gesture";
+  // Of a drag only its end can follow, by whatever way a command comes.
+  if (inDrag() && command.name != "escape") return "refusal.in-gesture";
   if (specification.exclusive && question()) return "refusal.answer-first";
   if (specification.available != nullptr && !specification.available(*this)) {
     if (specification.why != nullptr) return specification.why;
@@ -178,7 +185,11 @@ void Session::show(const Flight& flight, const Evaluation& evaluation, const Mar
     Vec3& place = freeCamera_->viewReferencePoint;
     place = flight.space.toCube(state_.flight.space.toWorld(place));
   }
-  state_ = {flight, evaluation, marks};
+  state_.chosen.follow(state_.flight, flight);
+  state_.flight = flight;
+  state_.evaluation = evaluation;
+  state_.marks = marks;
+  state_.chosen.choose(marks.current);
   // The playhead stays with the current orientation, however many frames now come before it.
   if (moved || (onCurrent && !playback_.playing())) {
     playback_.goTo(state_.evaluation.frameOf(current()));
@@ -206,7 +217,11 @@ tl::expected<void, Text> Session::apply(const EditResult& edit) {
 }
 
 void Session::pushStep(Text name, const EditState& before) {
-  history_.push({std::move(name), before.flight, state_.flight, before.marks, state_.marks});
+  if (continues_) {
+    history_.extend(state_.flight, state_.marks);
+  } else {
+    history_.push({std::move(name), before.flight, state_.flight, before.marks, state_.marks});
+  }
   updateModified();
 }
 
@@ -306,6 +321,7 @@ void Session::endGesture() {
 
 void Session::setMarks(const Marks& marks) {
   state_.marks = clamped(marks, state_.flight);
+  state_.chosen.choose(state_.marks.current);
   output_ = {};
 }
 
@@ -383,6 +399,12 @@ void Session::setSetup(const Setup& setup) {
 void Session::setRecentFiles(std::vector<std::string> files) {
   recentFiles_ = std::move(files);
   if (recentFiles_.size() > kRecentFiles) recentFiles_.resize(kRecentFiles);
+}
+
+void Session::raiseWindow(const std::string& name) {
+  if (!windowOpen(name)) return;
+  std::erase(windows_, name);
+  windows_.push_back(name);
 }
 
 bool Session::windowOpen(std::string_view name) const {

@@ -78,7 +78,8 @@ class Session {
 
   // False where it was refused or failed: the output line tells why. Between begin() and commit()
   // commands that edit are refused; in a window's gesture they end its step first.
-  bool execute(const Command& command);
+  // `continues`: its step and that of the command before, where nothing came between, are one.
+  bool execute(const Command& command, bool continues = false);
   bool execute(std::string_view line);  // as after `do` in a script
   // Whether it could do something; not whether a drag or a question must end before it.
   bool available(std::string_view command) const;
@@ -192,6 +193,11 @@ class Session {
   // Windows that are open, the top one last: "shape", "flight", "chooser-open", "shortcuts", …
   const std::vector<std::string>& windows() const { return windows_; }
   bool windowOpen(std::string_view name) const;
+  // An open one becomes the top one.
+  void raiseWindow(const std::string& name);
+  // The menu that is open, as its widget is called: "menu/file"; empty: none.
+  const std::string& menu() const { return menu_; }
+  void setMenu(std::string menu) { menu_ = std::move(menu); }
   // What the open shape window shows as chosen: a preset, or KeyShape::kOwn.
   int chosenPreset() const;
   // Whether the current key tries another shape for its preset, which `shape-show` would apply.
@@ -243,6 +249,8 @@ class Session {
   SessionSeams seams_;
   EditState state_;
   History history_;
+  std::optional<std::size_t> run_;  // the history's revision while its last step can go on
+  bool continues_ = false;          // what runs is part of that step
   DiskFile file_;
   Flight savedFlight_;
   bool modified_ = false;
@@ -261,6 +269,7 @@ class Session {
   std::optional<Dialogue> dialogue_;
   std::optional<RecoveryAnswer> recoveryAnswer_;
   std::vector<std::string> windows_;
+  std::string menu_;
   std::vector<std::string> recentFiles_;
   std::string ownClipboard_;
   FrameOutput frameOutput_;

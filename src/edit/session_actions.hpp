@@ -100,6 +100,7 @@ struct SessionActions {
   static Result resetSetup(Session& session, const Arguments& arguments);
   static Result showWindow(Session& session, const Arguments& arguments);
   static Result closeWindow(Session& session, const Arguments& arguments);
+  static Result showMenu(Session& session, const Arguments& arguments);
   static Result fullScreen(Session& session, const Arguments& arguments);
   static Result escape(Session& session, const Arguments& arguments);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "edit/key_edits.hpp"
+#include "edit/key_values.hpp"
 #include "edit/session_actions.hpp"
 
 namespace vides {
@@ -21,6 +22,18 @@ std::size_t keysWithPreset(const Flight& flight, int preset) {
   std::size_t count = 0;
   flight.keys.forEach([&](const Key& key) { count += key.shape.preset == preset ? 1u : 0u; });
   return count;
+}
+
+// Each selected key keeps what it looks like.
+Flight withOwnShapes(const EditState& state) {
+  return changeSelected(state, kStep, kStep,
+                        [&](Key& key, std::size_t) -> std::optional<Text> {
+                          const Shape shape = shapeOf(state.flight, key);
+                          key.shape.preset = KeyShape::kOwn;
+                          key.shape.own = shape;
+                          return std::nullopt;
+                        })
+      ->flight;
 }
 
 // The refusal that a preview has told is not told again.
@@ -40,14 +53,7 @@ int Session::chosenPreset() const {
   return triesPreset() ? gesture_->trial->preset : currentKey().shape.preset;
 }
 
-void SessionActions::beginShape(Session& session) {
-  // A drag goes on; the window's gesture begins after it.
-  if (session.inDrag()) {
-    session.window_ = kStep;
-  } else {
-    session.beginWindow(kStep);
-  }
-}
+void SessionActions::beginShape(Session& session) { session.beginWindow(kStep); }
 
 void SessionActions::endShape(Session& session) {
   if (session.inWindow()) session.cancel();
@@ -62,10 +68,7 @@ void SessionActions::endShape(Session& session) {
 Result SessionActions::shapeChoose(Session& session, const Arguments& arguments) {
   const std::string& choice = arguments.text(0);
   if (choice == "own") {
-    const Shape shape = shapeOf(session.flight(), session.currentKey());
-    auto done = previewed(
-        session.preview(Command("set-shape", shape.tension, shape.continuity, shape.bias)),
-        session);
+    auto done = previewed(session.preview(withOwnShapes(session.state())), session);
     if (done) session.gesture_->trial.reset();
     return done;
   }
@@ -76,9 +79,14 @@ Result SessionActions::shapeChoose(Session& session, const Arguments& arguments)
 
 Result SessionActions::shapeSet(Session& session, const Arguments& arguments) {
   const int chosen = session.chosenPreset();
-  const Command command("set-" + arguments.text(0), arguments.number(1));
+  const Command command("set-" + arguments.text(0), arguments.value(1));
   if (auto done = previewed(session.preview(command), session); !done) return done;
   if (chosen == KeyShape::kOwn) return {};
+  // In several keys at once it is their own: a preset is tried at one key.
+  if (session.selected().size() > 1) {
+    session.gesture_->trial.reset();
+    return {};
+  }
   // Moved back to where the preset has it, nothing is tried.
   const Flight& flight = session.flight();
   if (session.currentKey().shape.own == flight.presets[static_cast<std::size_t>(chosen)]) {

@@ -312,13 +312,20 @@ Result SessionActions::closeWindow(Session& session, const Arguments& arguments)
   return {};
 }
 
+Result SessionActions::showMenu(Session& session, const Arguments& arguments) {
+  session.menu_ = "menu/" + (arguments.has(0) ? arguments.text(0) : std::string("file"));
+  return {};
+}
+
 Result SessionActions::fullScreen(Session& session, const Arguments& arguments) {
   session.fullScreen_ = switched(arguments, 0, session.fullScreen_);
   return {};
 }
 
 Result SessionActions::escape(Session& session, const Arguments&) {
-  if (session.gesture_ && !session.gesture_->window) {
+  if (!session.menu_.empty()) {
+    session.menu_.clear();
+  } else if (session.gesture_ && !session.gesture_->window) {
     session.cancel();
   } else if (session.question()) {
     return answer(session, Arguments(Command("answer", session.question()->choices.back())));

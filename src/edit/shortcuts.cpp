@@ -3,6 +3,7 @@
 #include "edit/shortcuts.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace vides {
 namespace {
@@ -18,7 +19,8 @@ std::vector<Shortcut> makeTable() {
   std::vector<Shortcut> table;
   const auto add = [&](const char* group, const Modifiers& modifiers, K key, Command command,
                        bool repeats = false) {
-    table.push_back({key, modifiers, std::move(command), group, repeats});
+    const bool file = std::string_view(group) == "file";
+    table.push_back({key, modifiers, std::move(command), group, repeats, file});
   };
   add("file", kCtrl, K::kN, Command("new"));
   add("file", kCtrl, K::kO, Command("open"));
@@ -71,6 +73,7 @@ std::vector<Shortcut> makeTable() {
 
   add("window", kPlain, K::kEscape, Command("escape"));
   add("window", kPlain, K::kF1, Command("show-window", "shortcuts"));
+  add("window", kPlain, K::kF10, Command("show-menu"));
   add("window", kPlain, K::kF11, Command("full-screen"));
   return table;
 }

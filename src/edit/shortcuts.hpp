@@ -22,6 +22,8 @@ struct Shortcut {
   Command command;
   std::string group;     // of the help: "file", "keys", …; its title is "shortcuts.GROUP"
   bool repeats = false;  // again and again while the key is held
+  // While a text is being typed it is committed first; all others are the text's then.
+  bool commitsTyping = false;
 };
 
 const std::vector<Shortcut>& shortcutTable();

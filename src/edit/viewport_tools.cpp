@@ -63,7 +63,7 @@ void ViewportTools::press(const ViewportPlace& place, PointerButton button, cons
   press.button = button;
   press.start = press.pointer = pixel;
   press.modifiers = modifiers;
-  press.view = session_.view();
+  press.view = press.from = session_.view();
   if (!navigateOnly_) press.target = place.pick(pixel);
   note_.reset();
   press_ = std::move(press);
@@ -117,8 +117,19 @@ void ViewportTools::release(const ViewportPlace& place, PointerButton button, co
 }
 
 void ViewportTools::wheel(const ViewportPlace& place, const Vec2& pixel, double steps) {
-  if (press_ && press_->dragging) return;
-  setView(sizedTowards(session_.view().view, place.view.pixels(), pixel, steps));
+  const EditorView view = sizedTowards(session_.view().view, place.view.pixels(), pixel, steps);
+  ViewportPlace next = place;
+  next.view = viewProjection(view, place.view.pixels());
+  if (press_ && press_->tool && !press_->tool->look(next.view)) return;
+  // No command: it goes on during drags.
+  ViewState state = session_.view();
+  state.view = view;
+  session_.setView(state);
+  if (!press_ || !press_->dragging) return;
+  // Turned and moved from here on.
+  press_->from = session_.view();
+  if (press_->doing == Doing::kTurn || press_->doing == Doing::kPan) press_->start = pixel;
+  continueDrag(next);
 }
 
 bool ViewportTools::key(const ViewportPlace& place, const KeyChanged& event) {
@@ -139,6 +150,9 @@ bool ViewportTools::key(const ViewportPlace& place, const KeyChanged& event) {
   }
   const std::optional<Axis> axis = axisOf(event.key);
   if (!axis || !press_->tool) return false;
+  // Ctrl+Z is none of the axes.
+  const Modifiers& held = event.modifiers;
+  if (event.pressed && (held.control || held.alt || held.super)) return false;
   if (event.pressed && !event.repeated) {
     press_->tool->cycle(*axis);
     continueDrag(place);
@@ -180,7 +194,7 @@ void ViewportTools::startDrag(const ViewportPlace& place) {
   } else if (left) {
     press_->doing = Doing::kTurn;
     // From the camera's place one turns the view that looks its way.
-    press_->view = session_.view();
+    press_->view = press_->from = session_.view();
   }
 }
 
@@ -248,7 +262,7 @@ void ViewportTools::turnUp(const ViewportPlace& place) {
 
 void ViewportTools::navigate(const ViewportPlace& place) {
   const Vec2 by = press_->pointer - press_->start;
-  const ViewState& from = press_->view;
+  const ViewState& from = press_->from;
   if (press_->doing == Doing::kPan) {
     return setView(panned(from.view, place.view.pixels(), by));
   }

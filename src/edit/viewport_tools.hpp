@@ -59,6 +59,7 @@ class ViewportTools {
 
   // A button is down, or a drag is going on: events belong here wherever the pointer is.
   bool active() const { return press_.has_value(); }
+  bool dragging() const { return press_ && press_->dragging; }
   bool navigating() const { return navigateOnly_; }
 
   // For drawing.
@@ -80,7 +81,8 @@ class ViewportTools {
     Vec2 pointer{0.0};
     Modifiers modifiers;
     PointerTarget target;
-    ViewState view;
+    ViewState view;  // at the press
+    ViewState from;  // that it is turned and moved from
     bool dragging = false;
     Doing doing = Doing::kNothing;
     std::optional<PlaneDragTool> tool;

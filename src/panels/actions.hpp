@@ -18,14 +18,16 @@ struct Actions {
   struct Step {
     Command command;
     Phase phase = Phase::kCommit;
-    bool gesture = false;  // one of a row of previews that ends with a commit or cancel
-    bool window = false;   // of the window that previews for as long as it is open
+    bool gesture = false;    // one of a row of previews that ends with a commit or cancel
+    bool window = false;     // of the window that previews for as long as it is open
+    bool continues = false;  // of the same step of the history as the one before
   };
   std::vector<Step> steps;
-  std::optional<std::string> noNumber;  // what was typed where a number belongs
-  std::optional<Text> refusal;          // of something else that was typed
+  std::optional<Text> refusal;  // of what was typed
   std::optional<Layout> layout;
-  std::optional<EditorView> view;  // at once; no step of the history
+  std::optional<EditorView> view;    // at once; no step of the history
+  std::optional<std::string> menu;   // the one that is to be open; empty: none
+  std::optional<std::string> raise;  // the window that is on top now
 
   void run(Command command) { steps.push_back({std::move(command), Phase::kCommit, false}); }
   // One of a gesture's; the step's name is the command's.
@@ -33,11 +35,13 @@ struct Actions {
   void inWindow(Command command) {
     steps.push_back({std::move(command), Phase::kPreview, false, true});
   }
-  // A typed value: a command, or the refusal.
+  // A number that was typed, dragged or turned: the command that sets it.
+  void number(const Ui::Typed& typed, Command command) {
+    steps.push_back({std::move(command), typed.phase, typed.gesture, false, typed.continues});
+  }
   template <class Make>
   void typed(const Ui::Typed& typed, Make make) {
-    if (typed.refused) noNumber = typed.refused;
-    if (typed.value) run(make(*typed.value));
+    if (typed.value) number(typed, make(*typed.value));
   }
 };
 

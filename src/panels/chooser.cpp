@@ -265,6 +265,12 @@ void folderAndFilter(Ui& ui, const Rect& row, ChooserMemory& memory) {
   }
 }
 
+// Unless another widget has the keyboard.
+bool takesName(Ui& ui) {
+  const std::string& focused = ui.memory().focus.widget();
+  return ui.memory().editing.empty() && (focused.empty() || focused == "chooser/name");
+}
+
 void nameField(Ui& ui, const Rect& row, bool takesText, ChooserMemory& memory) {
   const bool folder = memory.mode == Mode::kNameFolder;
   const std::string label = ui.words(folder ? "chooser/folder_name" : "chooser/name");
@@ -369,7 +375,7 @@ void chooser(Ui& ui, const Session& session, ChooserMemory& memory, Actions& act
         if (click.entry >= 0) select(memory, click.entry);
         if (click.twice) accept(ui, memory, actions);
         nameField(ui, {room.x, room.bottom() - ui.px(kRow), room.width, ui.px(kRow)},
-                  !asked && ui.memory().editing.empty(), memory);
+                  !asked && takesName(ui), memory);
       },
       [&](const Rect& row) { lastRow(ui, row, session, memory, actions); });
   if (!stays) actions.run(Command("close-window", memory.window));

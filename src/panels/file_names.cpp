@@ -26,15 +26,4 @@ std::string shownName(Ui& ui, std::string_view name) {
   });
 }
 
-bool nameEntry(Ui& ui, std::string_view id, std::string_view name) {
-  const std::string words = shownName(ui, name);
-  const std::string label = "###" + std::string(id);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight();
-  const float width = ui.textWidth(words);
-  const bool chosen = ImGui::Selectable(label.c_str(), false, 0, {width, height});
-  ui.text({at.x, at.y, width, height}, words);
-  return chosen;
-}
-
 }  // namespace vides

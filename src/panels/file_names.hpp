@@ -14,8 +14,4 @@ namespace vides {
 // on.
 std::string shownName(Ui& ui, std::string_view name);
 
-// The same where a label of Dear ImGui's would end at "##": an entry of the menu that is open, with
-// the identifier; true where it is chosen.
-bool nameEntry(Ui& ui, std::string_view id, std::string_view name);
-
 }  // namespace vides

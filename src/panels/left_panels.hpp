@@ -43,11 +43,14 @@ ThreeColumns threeNumbers(const Ui& ui, Stack& rows);
 float threeNumbersHeight(const Ui& ui, float width);
 // What panels of a column of that width have for their rows.
 float rowWidth(const Ui& ui, float columnWidth);
+// Whether the selected keys differ in it: then no number is shown.
+bool differs(Ui& ui, const Session& session, KeyValue which);
 // The current key's place (the aim's) in the fields AREA/x, y, z (AREA/aim_x …), in the units that
-// are chosen: the command for what was typed.
-std::optional<Command> positionFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
-                                      const Session& session, Actions& actions);
-std::optional<Command> aimFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
-                                 const Session& session, Actions& actions);
+// are chosen; `set` has the command for what was typed, for all selected keys.
+using SetCoordinate = std::function<void(const Ui::Typed& typed, Command command)>;
+void positionFields(Ui& ui, std::string_view area, const Rect (&boxes)[3], const Session& session,
+                    const SetCoordinate& set);
+void aimFields(Ui& ui, std::string_view area, const Rect (&boxes)[3], const Session& session,
+               const SetCoordinate& set);
 
 }  // namespace vides

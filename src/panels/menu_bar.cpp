@@ -1,118 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The menus, the output line, the flight's name.
+// The names of the menus, the output line, the flight's name.
 #include "panels/menu_bar.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "panels/file_names.hpp"
-#include "panels/windows.hpp"
+#include <utility>
 
 namespace vides {
 namespace {
 
 constexpr float kLeastOutput = 320.0f;
-
-// A tick stands before what is on.
-bool ticked(std::string_view id, const Session& session, const Layout& layout) {
-  const EditorView& view = session.view().view;
-  if (id == "menu/view/perspective") return view.type == ProjectionType::Perspective;
-  if (id == "menu/view/camera") return session.view().throughCamera;
-  if (id == "menu/view/swap") return session.view().swapped;
-  if (id == "menu/view/left_column") return layout.leftShown;
-  if (id == "menu/view/right_column") return layout.rightShown;
-  if (id == "menu/view/timeline") return layout.timelineShown;
-  if (id == "menu/view/sliders") return session.display().sliders;
-  if (id == "menu/view/full_screen") return session.fullScreen();
-  if (id == "menu/settings/english") return session.display().language == Language::kEnglish;
-  if (id == "menu/settings/german") return session.display().language != Language::kEnglish;
-  return false;
-}
-
-// Entries that fold parts of the window, which the session knows nothing of.
-bool layoutEntry(std::string_view id, Layout layout, Actions& actions) {
-  if (id == "menu/view/left_column") {
-    layout.leftShown = !layout.leftShown;
-  } else if (id == "menu/view/right_column") {
-    layout.rightShown = !layout.rightShown;
-  } else if (id == "menu/view/timeline") {
-    layout.timelineShown = !layout.timelineShown;
-  } else {
-    return false;
-  }
-  actions.layout = layout;
-  return true;
-}
-
-std::string labelOf(const Ui& ui, const Session& session, const std::string& id) {
-  if (id == "menu/edit/undo") {
-    if (const auto name = session.undoName()) return ui.tell(*name);
-  }
-  if (id == "menu/edit/redo") {
-    if (const auto name = session.redoName()) return ui.tell(*name);
-  }
-  return ui.words(id);
-}
-
-void entry(Ui& ui, const MenuEntry& item, const Session& session, const Layout& layout,
-           Actions& actions) {
-  const bool isLayout = item.command.empty();
-  const bool nothingToDo = item.command == "revert" && !session.differsFromFile();
-  const bool enabled = isLayout || (canRun(session, item.command) && !nothingToDo);
-  const std::string label = labelOf(ui, session, item.id);
-  const bool tick = ticked(item.id, session, layout);
-  const std::string keys = isLayout ? std::string() : ui.hint(item.command);
-  // Dear ImGui greys nothing in our style. It leaves room for the keys, left-aligned and before the
-  // tick's: they are written at the right end of that room.
-  ImGui::PushStyleColor(ImGuiCol_Text,
-                        ui.colour(enabled ? ColourRole::kText : ColourRole::kTextDisabled));
-  ImGui::PushStyleColor(ImGuiCol_TextDisabled, 0);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float tickRoom = std::floor(ImGui::GetFontSize() * 1.2f);
-  const float end = at.x + ImGui::GetContentRegionAvail().x - tickRoom;
-  const bool chosen =
-      ImGui::MenuItem((label + "###" + item.id).c_str(), keys.c_str(), tick, enabled);
-  ImGui::PopStyleColor(2);
-  const float keysWidth = ui.textWidth(keys);
-  ui.text({end - keysWidth, at.y, keysWidth, ImGui::GetTextLineHeight()}, keys,
-          {.colour = enabled ? ColourRole::kTextSecondary : ColourRole::kTextDisabled});
-  ui.note(item.id, label, WidgetKind::kMenuItem, enabled, tick ? "on" : "");
-  if (!chosen) return;
-  if (isLayout) {
-    static_cast<void>(layoutEntry(item.id, layout, actions));
-  } else if (auto command = parseCommand(item.command)) {
-    actions.run(std::move(*command));
-  }
-}
-
-void recentFiles(Ui& ui, const Session& session, Actions& actions) {
-  const auto& files = session.recentFiles();
-  const std::string words = ui.words("menu/file/recent");
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Rect rect{at.x, at.y, ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()};
-  const bool open = ImGui::BeginMenu((words + "###menu/file/recent").c_str(), !files.empty());
-  ui.menu("menu/file/recent", rect, words, !files.empty(), open);
-  if (!open) return;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string id = "menu/file/recent_" + std::to_string(i);
-    if (nameEntry(ui, id, files[i])) actions.run(Command("open", files[i]));
-    ui.note(id, files[i], WidgetKind::kMenuItem, true);
-  }
-  ImGui::EndMenu();
-}
-
-void entries(Ui& ui, const Menu& menu, const Session& session, const Layout& layout,
-             Actions& actions) {
-  for (const MenuEntry& item : menu.entries) {
-    if (item.id.empty()) {
-      ImGui::Separator();
-    } else if (item.id == "menu/file/recent") {
-      recentFiles(ui, session, actions);
-    } else {
-      entry(ui, item, session, layout, actions);
-    }
-  }
-}
 
 // As it is, or the first of its shorter forms that has room.
 std::string fitting(const Ui& ui, Text text, float room) {
@@ -169,100 +66,47 @@ float menuSpacing(const Ui& ui, float width, float& end) {
 
 }  // namespace
 
-const std::vector<Menu>& menus() {
-  static const std::vector<Menu> table = {
-      {"menu/file",
-       {{"menu/file/new", "new"},
-        {"menu/file/open", "open"},
-        {"menu/file/recent", ""},
-        {"", ""},
-        {"menu/file/save", "save"},
-        {"menu/file/save_as", "save-as"},
-        {"menu/file/revert", "revert"},
-        {"", ""},
-        {"menu/file/import", "import-scene"},
-        {"menu/file/flight", "show-window flight"},
-        {"", ""},
-        {"menu/file/quit", "quit"}}},
-      {"menu/edit",
-       {{"menu/edit/undo", "undo"},
-        {"menu/edit/redo", "redo"},
-        {"", ""},
-        {"menu/edit/cut", "cut"},
-        {"menu/edit/copy", "copy"},
-        {"menu/edit/paste", "paste"},
-        {"menu/edit/duplicate", "duplicate-keys"},
-        {"menu/edit/delete", "delete-keys"},
-        {"menu/edit/select_all", "select-all"}}},
-      {"menu/view",
-       {{"menu/view/front", "view front"},
-        {"menu/view/side", "view side"},
-        {"menu/view/top", "view top"},
-        {"menu/view/iso", "view iso"},
-        {"menu/view/opposite", "view-opposite"},
-        {"menu/view/camera", "view-camera"},
-        {"", ""},
-        {"menu/view/perspective", "perspective"},
-        {"menu/view/frame_selection", "frame-selection"},
-        {"menu/view/frame_all", "frame-all"},
-        {"menu/view/swap", "swap-views"},
-        {"", ""},
-        {"menu/view/left_column", ""},
-        {"menu/view/right_column", ""},
-        {"menu/view/timeline", ""},
-        {"menu/view/sliders", "show-element sliders"},
-        {"", ""},
-        {"menu/view/full_screen", "full-screen"}}},
-      {"menu/output",
-       {{"menu/output/frames", "show-window frames"}, {"menu/output/host", "hand-over"}}},
-      {"menu/settings",
-       {{"menu/settings/display", "show-window settings"},
-        {"", ""},
-        {"menu/settings/english", "language en"},
-        {"menu/settings/german", "language de"},
-        {"", ""},
-        {"menu/settings/load", "load-setup"},
-        {"menu/settings/save", "save-setup"}}},
-      {"menu/help", {{"menu/help/shortcuts", "show-window shortcuts"}}},
-  };
-  return table;
-}
-
-float menuBar(Ui& ui, const Session& session, const OutputLine& output, const Layout& layout,
-              Actions& actions) {
-  if (!ImGui::BeginMenuBar()) return 0.0f;
+float menuBar(Ui& ui, const Session& session, const OutputLine& output, float height,
+              MenuMemory& memory, Actions& actions) {
   const ImVec2 corner = ImGui::GetWindowPos();
-  const float height = ImGui::GetFrameHeight();
   const float width = ImGui::GetWindowWidth();
+  ui.fill({corner.x, corner.y, width, height}, ColourRole::kWindow);
   float menusEnd = 0.0f;
   const float spacing = menuSpacing(ui, width, menusEnd);
   // Where what is left of the bar is too short to say anything, the output line stands below it.
   const float below = width - menusEnd < ui.px(kLeastOutput) ? ui.px(22) : 0.0f;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(spacing, ui.px(8)));
-  float end = corner.x;
+  const std::string& now = session.menu();
+  const auto open = [&](const std::string& menu) { actions.menu = menu; };
+  if (std::exchange(memory.closes, false)) open({});
+  float end = corner.x + ui.px(8);
+  std::size_t index = 0;
   for (const Menu& menu : menus()) {
     const std::string label = ui.words(menu.id);
-    const float begin = ImGui::GetCursorScreenPos().x;
-    // Entries begin under the menu's name: Dear ImGui opens the menu half a spacing and a pixel
-    // before the place of the name, which itself begins half a spacing behind it.
-    const float half = std::floor(spacing / 2.0f);
-    const float opens = std::max(0.0f, begin - 1.0f - half);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(begin + half - opens, ui.px(8)));
-    const bool open = ImGui::BeginMenu((label + "###" + menu.id).c_str());
-    if (open) {
-      entries(ui, menu, session, layout, actions);
-      ImGui::EndMenu();
+    const Rect name{end, corner.y, std::floor(ui.textWidth(label) + spacing), height};
+    const bool isOpen = now == menu.id;
+    if (ui.menuName(menu.id, name, label, {.open = isOpen})) {
+      if (!isOpen || !std::exchange(memory.byHover, false)) open(isOpen ? std::string() : menu.id);
+      memory.byHover = false;
+      memory.byPointer = true;
+    } else if (!now.empty() && !isOpen &&
+               ImGui::IsMouseHoveringRect({name.x, name.y}, {name.right(), name.bottom()}) &&
+               (ImGui::GetIO().MouseDelta.x != 0.0f || ImGui::GetIO().MouseDelta.y != 0.0f)) {
+      memory.byHover = memory.byPointer = true;
+      open(menu.id);
     }
-    ImGui::PopStyleVar();
-    end = ImGui::GetCursorScreenPos().x - ImGui::GetStyle().ItemSpacing.x;
-    ui.menu(menu.id, {begin, corner.y, end - begin, height}, label, true, open);
+    if (isOpen && memory.neighbour != 0) {
+      const std::size_t count = menus().size();
+      const int step = std::exchange(memory.neighbour, 0);
+      open(menus()[(index + count + static_cast<std::size_t>(step + static_cast<int>(count))) %
+                   count]
+               .id);
+    }
+    end = name.right();
+    ++index;
   }
-  ImGui::PopStyleVar();
+  memory.bar = {corner.x, corner.y, end - corner.x, height};
   const Rect row{corner.x, corner.y + height, width, below};
-  if (below > 0.0f) ImGui::PushClipRect({row.x, row.y}, {row.right(), row.bottom()}, false);
   outputLine(ui, {end, corner.y, corner.x + width - end, height}, row, session, output);
-  if (below > 0.0f) ImGui::PopClipRect();
-  ImGui::EndMenuBar();
   return below;
 }
 

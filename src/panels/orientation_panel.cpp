@@ -12,8 +12,8 @@ constexpr float kRow = 22.0f;
 void aimRow(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
   const ThreeColumns columns = threeNumbers(ui, rows);
   ui.text(columns.label, ui.words("orientation/aim"), {.colour = ColourRole::kTextSecondary});
-  auto typed = aimFields(ui, "orientation", columns.values, session, actions);
-  if (typed) actions.run(std::move(*typed));
+  aimFields(ui, "orientation", columns.values, session,
+            [&](const auto& typed, Command command) { actions.number(typed, std::move(command)); });
 }
 
 }  // namespace
@@ -45,8 +45,9 @@ void orientationPanel(Ui& ui, Stack& column, const Session& session, Actions& ac
                                 {.decimals = 1,
                                  .prefix = ui.words("orientation/roll"),
                                  .suffix = "\u00b0",
-                                 .weight = Weight::kSemibold});
-    actions.typed(typed, [&](double value) { return Command("set-roll", value); });
+                                 .weight = Weight::kSemibold,
+                                 .differs = differs(ui, session, KeyValue::kRoll)});
+    if (typed.value) actions.number(typed, Command("set-roll", typed.argument()));
     rows.gap(4);
     aimRow(ui, rows, session, actions);
     rows.gap(4);

@@ -78,63 +78,55 @@ int fittingDecimals(const Ui& ui, const Rect& box, double value, int most) {
   return decimals;
 }
 
-std::optional<Command> vectorFields(Ui& ui, const std::string& prefix, const Rect (&boxes)[3],
-                                    const Vec3& shownAt, Actions& actions,
-                                    const std::function<Command(const Vec3&)>& command) {
-  std::optional<Command> result;
+// Three numbers of which each is set alone, by `command AXIS VALUE UNITS`.
+struct Coordinates {
+  std::string prefix;
+  const char* command;
+  KeyValue first;
+};
+void coordinateFields(Ui& ui, const Coordinates& coordinates, const Rect (&boxes)[3],
+                      const Session& session, const SetCoordinate& set) {
+  const Units units = session.display().units;
+  const auto which = [&](int axis) {
+    return static_cast<KeyValue>(static_cast<int>(coordinates.first) + axis);
+  };
+  double shownAt[3];
   // All three with as many decimals if they can, and as many when one of them changes its sign.
   int decimals = 3;
   for (int axis = 0; axis < 3; ++axis) {
+    shownAt[axis] = valueOf(session.state(), session.current().key, which(axis), units);
     decimals =
         std::min(decimals, fittingDecimals(ui, boxes[axis], -std::abs(shownAt[axis]), decimals));
   }
   for (int axis = 0; axis < 3; ++axis) {
-    const Rect& box = boxes[axis];
-    const auto typed = ui.field(prefix + "xyz" [axis], box, shownAt[axis],
-                                { .decimals = decimals, .weight = Weight::kSemibold });
-    if (typed.refused) actions.noNumber = typed.refused;
+    const std::string name(1, "xyz"[axis]);
+    const auto typed = ui.field(coordinates.prefix + name, boxes[axis], shownAt[axis],
+                                {.decimals = decimals,
+                                 .weight = Weight::kSemibold,
+                                 .differs = differs(ui, session, which(axis))});
     if (!typed.value) continue;
-    Vec3 at = shownAt;
-    at[axis] = *typed.value;
-    result = command(at);
+    Command command(coordinates.command, name, typed.argument());
+    if (units == Units::kScene) command.add("scene");
+    set(typed, std::move(command));
   }
-  return result;
 }
 
 }  // namespace
 
-std::optional<Command> positionFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
-                                      const Session& session, Actions& actions) {
-  const bool scene = session.display().units == Units::kScene;
-  const Space& space = session.flight().space;
-  const Vec3& place = session.currentKey().position;
-  return vectorFields(ui, std::string(area) + '/', boxes, scene ? space.toWorld(place) : place,
-                      actions, [&](const Vec3& at) {
-                        return Command("move-key", session.current().key,
-                                       scene ? space.toCube(at) : at);
-                      });
+bool differs(Ui& ui, const Session& session, KeyValue which) {
+  return ui.memory().differing.differs(session.state(), which);
 }
 
-std::optional<Command> aimFields(Ui& ui, std::string_view area, const Rect (&boxes)[3],
-                                 const Session& session, Actions& actions) {
-  const Orientation& orientation = session.currentOrientation();
-  const bool scene = session.display().units == Units::kScene;
-  const bool relative = orientation.aimMode == AimMode::kRelative;
-  const Space& space = session.flight().space;
-  // A relative aim is an offset: units scale it, the centre doesn't move it.
-  const auto toUnits = [&](const Vec3& v) {
-    return !scene ? v : relative ? v * space.halfSize : space.toWorld(v);
-  };
-  const auto toCube = [&](const Vec3& v) {
-    return !scene ? v : relative ? v / space.halfSize : space.toCube(v);
-  };
-  return vectorFields(ui, std::string(area) + "/aim_", boxes, toUnits(orientation.aim), actions,
-                      [&](const Vec3& at) {
-                        // The command takes the point, whatever the mode.
-                        const Vec3 cube = toCube(at);
-                        return Command("set-aim",
-                                       relative ? session.currentKey().position + cube : cube);
-                      });
+void positionFields(Ui& ui, std::string_view area, const Rect (&boxes)[3], const Session& session,
+                    const SetCoordinate& set) {
+  coordinateFields(ui, {std::string(area) + '/', "set-coordinate", KeyValue::kX}, boxes, session,
+                   set);
+}
+
+void aimFields(Ui& ui, std::string_view area, const Rect (&boxes)[3], const Session& session,
+               const SetCoordinate& set) {
+  coordinateFields(ui, {std::string(area) + "/aim_", "set-aim-coordinate", KeyValue::kAimX}, boxes,
+                   session, set);
 }
 
 }  // namespace vides

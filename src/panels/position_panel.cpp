@@ -12,8 +12,9 @@ constexpr float kRow = 22.0f;
 void positionRow(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
   const ThreeColumns columns = threeNumbers(ui, rows);
   ui.text(columns.label, ui.words("position/place"), {.colour = ColourRole::kTextSecondary});
-  auto typed = positionFields(ui, "position", columns.values, session, actions);
-  if (typed) actions.run(std::move(*typed));
+  positionFields(ui, "position", columns.values, session, [&](const auto& typed, Command command) {
+    actions.number(typed, std::move(command));
+  });
 }
 
 void shapeRow(Ui& ui, Stack& rows, const Session& session, std::size_t index, bool current,
@@ -33,18 +34,24 @@ void shapeRow(Ui& ui, Stack& rows, const Session& session, std::size_t index, bo
     const char* letter;
     const char* command;
     double value;
+    KeyValue which;
   };
   const Part parts[] = {
-      {"position/bias", "position/next_bias", "b", "set-bias", shape.bias},
-      {"position/continuity", "position/next_continuity", "c", "set-continuity", shape.continuity},
-      {"position/tension", "position/next_tension", "t", "set-tension", shape.tension}};
+      {"position/bias", "position/next_bias", "b", "set-bias", shape.bias, KeyValue::kBias},
+      {"position/continuity", "position/next_continuity", "c", "set-continuity", shape.continuity,
+       KeyValue::kContinuity},
+      {"position/tension", "position/next_tension", "t", "set-tension", shape.tension,
+       KeyValue::kTension}};
   for (int i = 0; i < 3; ++i) {
     const Part& part = parts[i];
     // The next key's are shown for comparison; typed at are those of the current one.
-    const auto typed = ui.field(
-        current ? part.id : part.nextId, columns.values[i], part.value,
-        {.decimals = 2, .prefix = part.letter, .readOnly = !current, .weight = Weight::kSemibold});
-    actions.typed(typed, [&](double value) { return Command(part.command, value); });
+    const auto typed = ui.field(current ? part.id : part.nextId, columns.values[i], part.value,
+                                {.decimals = 2,
+                                 .prefix = part.letter,
+                                 .readOnly = !current,
+                                 .weight = Weight::kSemibold,
+                                 .differs = current && differs(ui, session, part.which)});
+    if (typed.value) actions.number(typed, Command(part.command, typed.argument()));
   }
 }
 

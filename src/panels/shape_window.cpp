@@ -89,7 +89,8 @@ void presets(Ui& ui, Stack& rows, const Session& session, ShapeWindowMemory& mem
 }
 
 // Label, slider, number.
-void parameterRow(Ui& ui, const Rect& row, const char* name, double value, Actions& actions) {
+void parameterRow(Ui& ui, const Rect& row, const char* name, double value, bool differs,
+                  Actions& actions) {
   const std::string id = "shape/" + std::string(name);
   const ThreeColumns columns = threeColumns(ui, row);
   ui.text(columns.label, ui.words(id), {.colour = ColourRole::kTextSecondary});
@@ -100,16 +101,17 @@ void parameterRow(Ui& ui, const Rect& row, const char* name, double value, Actio
   const float middle = std::round(track.centreX()) - ui.px(1) / 2;
   ui.fill({middle, track.centreY() - ui.px(6), ui.px(1), ui.px(12)}, ColourRole::kSliderTrack);
   const auto change = ui.slider(
-      id, track, value, {.least = -1.0, .most = 1.0, .decimals = 2, .snap = 0.1, .from = 0.0});
+      id, track, value,
+      {.least = -1.0, .most = 1.0, .decimals = 2, .snap = 0.1, .from = 0.0, .differs = differs});
   // Dragged, it goes in hundredths, and so also catches at 0.
   if (change) {
     const double hundredths = std::round(change->value * 100.0) / 100.0;
-    actions.run(
-        Command("shape-set", name, change->phase == Phase::kPreview ? hundredths : change->value));
+    const bool dragged = change->phase == Phase::kPreview;
+    actions.run(Command("shape-set", name, dragged ? Argument(hundredths) : change->argument()));
   }
-  const auto typed =
-      ui.field(id + "_value", number, value, {.decimals = 2, .weight = Weight::kSemibold});
-  actions.typed(typed, [&](double entered) { return Command("shape-set", name, entered); });
+  const auto typed = ui.field(id + "_value", number, value,
+                              {.decimals = 2, .weight = Weight::kSemibold, .differs = differs});
+  if (typed.value) actions.number(typed, Command("shape-set", name, typed.argument()));
 }
 
 // What Show would do, or how many keys follow the preset.
@@ -127,23 +129,25 @@ void note(Ui& ui, const Rect& row, const Session& session, ShapeWindowMemory& me
 }
 
 void numbers(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
-  const auto preview = [&](std::optional<Command> command) {
-    if (command) actions.inWindow(std::move(*command));
+  const auto preview = [&](const Ui::Typed&, Command command) {
+    actions.inWindow(std::move(command));
   };
   ThreeColumns columns = threeColumns(ui, rows.row(kRow));
   ui.text(columns.label, ui.words("position/place"), {.colour = ColourRole::kTextSecondary});
-  preview(positionFields(ui, "shape", columns.values, session, actions));
+  positionFields(ui, "shape", columns.values, session, preview);
   rows.gap(4);
   columns = threeColumns(ui, rows.row(kRow));
   ui.text(columns.label, ui.words("orientation/aim"), {.colour = ColourRole::kTextSecondary});
-  preview(aimFields(ui, "shape", columns.values, session, actions));
+  aimFields(ui, "shape", columns.values, session, preview);
   rows.gap(4);
   columns = threeColumns(ui, rows.row(kRow));
   ui.text(columns.label, ui.words("orientation/roll"), {.colour = ColourRole::kTextSecondary});
   const auto typed = ui.field("shape/roll", columns.values[0], session.currentOrientation().roll,
-                              {.decimals = 1, .suffix = "\u00b0", .weight = Weight::kSemibold});
-  if (typed.refused) actions.noNumber = typed.refused;
-  if (typed.value) preview(Command("set-roll", *typed.value));
+                              {.decimals = 1,
+                               .suffix = "\u00b0",
+                               .weight = Weight::kSemibold,
+                               .differs = differs(ui, session, KeyValue::kRoll)});
+  if (typed.value) preview(typed, Command("set-roll", typed.argument()));
 }
 
 }  // namespace
@@ -163,11 +167,14 @@ void shapeWindow(Ui& ui, const Session& session, ShapeWindowMemory& memory, Acti
         presets(ui, rows, session, memory, actions);
         rows.gap(8);
         const Shape& shape = shapeOf(session.flight(), session.currentKey());
-        parameterRow(ui, rows.row(kRow), "tension", shape.tension, actions);
+        parameterRow(ui, rows.row(kRow), "tension", shape.tension,
+                     differs(ui, session, KeyValue::kTension), actions);
         rows.gap(4);
-        parameterRow(ui, rows.row(kRow), "continuity", shape.continuity, actions);
+        parameterRow(ui, rows.row(kRow), "continuity", shape.continuity,
+                     differs(ui, session, KeyValue::kContinuity), actions);
         rows.gap(4);
-        parameterRow(ui, rows.row(kRow), "bias", shape.bias, actions);
+        parameterRow(ui, rows.row(kRow), "bias", shape.bias, differs(ui, session, KeyValue::kBias),
+                     actions);
         rows.gap(4);
         note(ui, rows.row(16), session, memory);
         rows.gap(8);

@@ -194,6 +194,21 @@ void Ui::registerWidget(std::string_view id, std::string_view label, WidgetKind 
                         const Rect& rect, bool enabled, std::string_view value, std::string tip) {
   setting_.registry.add({std::string(id), std::string(label), kind, rect, visibleOf(rect),
                          std::string(value), enabled, std::move(tip)});
+  if (setting_.memory.focus.widget() == id) focusSign(id, rect, kind);
+}
+
+// A rim around what has the keyboard; it is brought into sight when it gets it.
+void Ui::focusSign(std::string_view id, const Rect& rect, WidgetKind kind) {
+  KeyboardFocus& focus = setting_.memory.focus;
+  const bool opens = kind == WidgetKind::kField;
+  if (focus.arrives()) {
+    ImGui::ScrollToRect(ImGui::GetCurrentWindow(),
+                        {rect.x, rect.y - px(4), rect.right(), rect.bottom() + px(4)},
+                        ImGuiScrollFlags_KeepVisibleEdgeY);
+    if (!opens) focus.takeArrival(id);
+  }
+  if (opens || kind == WidgetKind::kEntry) return;  // these show that they are typed into
+  outline(rect.inset(-px(2)), ColourRole::kText, 4.0f, 1.5f);
 }
 
 void Ui::entry(std::string_view id, const Rect& rect, std::string_view label,
@@ -207,20 +222,6 @@ void Ui::choice(std::string_view id, const Rect& rect, std::string_view value) {
 
 void Ui::shows(std::string_view id, const Rect& rect, std::string_view value) {
   registerWidget(id, words(id), WidgetKind::kText, rect, true, value);
-}
-
-void Ui::note(std::string_view id, std::string_view label, WidgetKind kind, bool enabled,
-              std::string_view value) {
-  const ImVec2 low = ImGui::GetItemRectMin();
-  const ImVec2 size = ImGui::GetItemRectSize();
-  registerWidget(id, label, kind, {low.x, low.y, size.x, size.y}, enabled, value, tip(id));
-  tooltip(id, {low.x, low.y, size.x, size.y}, {ImGui::IsItemHovered(), false, false}, {}, true);
-}
-
-void Ui::menu(std::string_view id, const Rect& rect, std::string_view label, bool enabled,
-              bool open) {
-  setting_.registry.add({std::string(id), std::string(label), WidgetKind::kMenu, rect, rect,
-                         open ? "open" : "", enabled});
 }
 
 Rect Stack::row(float heightAtScale1) { return room(ui_->tall(heightAtScale1)); }
@@ -269,6 +270,7 @@ void panel(Ui& ui, Stack& column, std::string_view headingKey,
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float padding = ui.px(8), foot = ui.tall(8);
   const float top = column.y();
+  const WidgetRegistry::Ring ring(ui.registry(), std::string(headingKey));
   list.ChannelsSplit(2);
   list.ChannelsSetCurrent(1);
   Stack inner(ui, column.x() + padding, top + ui.tall(4), column.width() - 2 * padding);

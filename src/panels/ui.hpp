@@ -15,7 +15,10 @@
 #include <string_view>
 #include <vector>
 
+#include "edit/command.hpp"
+#include "edit/key_values.hpp"
 #include "edit/text.hpp"
+#include "panels/focus.hpp"
 #include "panels/fonts.hpp"
 #include "panels/wide_characters.hpp"
 #include "panels/widget_registry.hpp"
@@ -38,7 +41,11 @@ enum class Phase { kPreview, kCommit, kCancel };
 struct ValueChange {
   double value = 0.0;
   Phase phase = Phase::kCommit;
-  bool typed = false;  // then all digits count, and it may lie outside the slider's range
+  bool typed = false;    // then all digits count, and it may lie outside the slider's range
+  std::string sum = {};  // typed, and starts from the number that is there
+
+  // For a command that sets it in several keys: from each one's own where it starts from that.
+  Argument argument() const { return sum.empty() ? Argument(value) : Argument(sum); }
 };
 
 struct ButtonStyle {
@@ -61,6 +68,7 @@ struct SliderStyle {
   int decimals = 2;
   double snap = 0.0;                // with Shift it is dragged in multiples of this; 0 = it is not
   std::optional<double> from = {};  // where its filled part begins; absent: at the least
+  bool differs = false;             // of several keys: shown is the current one's
 };
 
 struct FieldStyle {
@@ -71,6 +79,7 @@ struct FieldStyle {
   bool readOnly = false;  // shown like text, without a ground
   Weight weight = Weight::kRegular;
   bool centred = false;  // else at the right, in line with numbers above and below
+  bool differs = false;  // of several keys: no number is shown
 };
 
 // The triangles and bars that the typeface lacks.
@@ -94,9 +103,18 @@ struct UiMemory {
   WideCharacters wide;  // of what is being typed, wherever
   std::string before;   // what stood there
   bool editingStarted = false;
-  std::string dragging;       // slider
-  double dragStart = 0.0;     // its value at the press
-  float dragOffset = 0.0f;    // from the pointer to its knob
+  bool endTyping = false;  // what is typed is to be committed in this display frame
+  KeyboardFocus focus;
+  std::string dragging;         // slider, or number that is dragged sideways
+  double dragStart = 0.0;       // its value at the press
+  std::string held;             // the number that was pressed
+  float heldAt = 0.0f;          // … where
+  float dragOffset = 0.0f;      // from the pointer to its knob
+  std::optional<Text> refused;  // why what was typed is no number, to be told once
+  std::string wheeled;          // the number that the wheel has turned …
+  double wheelRest = 0.0;       // … less than a notch that is left
+  double wheeledAt = 0.0;       // … when
+  DifferingValues differing;
   std::string tooltipFor;     // the widget under the pointer …
   double tooltipSince = 0.0;  // … and since when
   std::set<char32_t> foreign;  // characters in names that the typeface has no sign for
@@ -108,9 +126,6 @@ using Words = std::function<std::string(std::string_view key)>;
 using Tell = std::function<std::string(const Text&)>;
 // What the keyboard has for a command's line ("Ctrl+Z"); empty where it has nothing.
 using ShortcutHint = std::function<std::string(std::string_view commandLine)>;
-// A number as typed by the user; nothing where it is none.
-using NumberParser = std::function<std::optional<double>(std::string_view)>;
-
 // How round a rectangle's corners can be: at most `radius`, and none rather than less than half a
 // pixel. With a rounding of a millionth Dear ImGui 1.86 divides by zero.
 float roundingOf(const Rect& rect, float radius);
@@ -122,7 +137,6 @@ class Ui {
     const Theme& theme;
     const Words& words;
     const Tell& tell;
-    const NumberParser& parse;
     const ShortcutHint& hint;
     WidgetRegistry& registry;
     UiMemory& memory;
@@ -196,11 +210,18 @@ class Ui {
   // value.
   std::optional<ValueChange> slider(std::string_view id, const Rect& rect, double value,
                                     const SliderStyle& style);
-  // Shows a number; a click lets it be typed. Enter or a click elsewhere commits, Escape cancels.
-  // What is no number is told by the second member.
+  // Shows a number. A click lets it be typed, as a sum too (edit/sum.hpp): Enter or a click
+  // elsewhere commits, Escape cancels; what is no number is told by the memory. Dragged sideways it
+  // goes by a unit of its last decimal a pixel, turned by the wheel with Ctrl by one a notch.
   struct Typed {
-    std::optional<double> value;
-    std::optional<std::string> refused;  // the text that is no number
+    std::optional<double> value = {};  // the new one of the number that is shown
+    std::string sum = {};              // not empty: starts from the number that is there
+    bool gesture = false;              // of a drag: previews that end with a commit or cancel
+    Phase phase = Phase::kCommit;
+    bool continues = false;  // a further notch of the wheel: of the same step as the one before
+
+    // For a command that sets it in several keys: from each one's own where it starts from that.
+    Argument argument() const { return sum.empty() ? Argument(*value) : Argument(sum); }
   };
   Typed field(std::string_view id, const Rect& rect, double value, const FieldStyle& style = {});
   // The same for a text of any length; its beginning is shown, of a path its end. Nothing where it
@@ -229,11 +250,20 @@ class Ui {
   // Tells the registry of a text that is only shown.
   void shows(std::string_view id, const Rect& rect, std::string_view value);
 
-  // Widgets that Dear ImGui draws (menus): told to the registry after the fact.
-  void note(std::string_view id, std::string_view label, WidgetKind kind, bool enabled,
-            std::string_view value = {});
-  // A menu, whose place is not Dear ImGui's last item any more once it is open.
-  void menu(std::string_view id, const Rect& rect, std::string_view label, bool enabled, bool open);
+  // A menu's name; its value tells whether it is open. True when the pointer is pressed on it.
+  struct MenuName {
+    bool enabled = true, open = false, marked = false;
+  };
+  bool menuName(std::string_view id, const Rect& rect, std::string_view label,
+                const MenuName& state);
+  // A row of a menu: its name, its keys at the right, a tick, or the sign of a further menu.
+  struct MenuRow {
+    bool enabled = true, marked = false, on = false;
+    bool opens = false, open = false;  // a further menu
+    std::string keys = {};
+    float inset = 0.0f;  // pixels, of the words at either side
+  };
+  bool menuRow(std::string_view id, const Rect& rect, std::string_view label, const MenuRow& row);
 
  private:
   struct Press {
@@ -242,6 +272,7 @@ class Ui {
   Press press(std::string_view id, const Rect& rect, WidgetKind kind, bool enabled);
   void registerWidget(std::string_view id, std::string_view label, WidgetKind kind,
                       const Rect& rect, bool enabled, std::string_view value, std::string tip = {});
+  void focusSign(std::string_view id, const Rect& rect, WidgetKind kind);
   void ground(const Rect& rect, const Press& press, const ButtonStyle& style);
   // What is told of a widget: what it does, and by which keys; of a greyed one why it is, where the
   // table says so (tip/AREA/NAME#greyed).
@@ -249,8 +280,13 @@ class Ui {
   void tooltip(std::string_view id, const Rect& about, const Press& press,
                const ButtonStyle& style = {}, bool beside = false);
   std::optional<std::string> textEditor(std::string_view id, const Rect& rect, bool& ended);
-  Typed typeNumber(std::string_view id, const Rect& rect);
+  Typed typeNumber(std::string_view id, const Rect& rect, double own, std::string_view suffix = {});
+  Typed turnNumber(std::string_view id, const Press& press, double value, const FieldStyle& style);
+  Typed dragNumber(double value, const FieldStyle& style);
+  Typed wheelNumber(std::string_view id, double value, const FieldStyle& style);
   void startTyping(std::string_view id, std::string text);
+  // Whether it is to be typed into because the keyboard came to it.
+  bool opensByKeyboard(std::string_view id);
 
   Setting setting_;
   Rect workArea_;

@@ -47,6 +47,8 @@ void WidgetRegistry::beginFrame() {
 
 void WidgetRegistry::add(Widget widget) {
   std::string id = widget.id;
+  widget.ring = ring_.empty() ? id.substr(0, id.find('/')) : ring_;
+  widget.order = widgets_.size();
   widgets_.insert_or_assign(std::move(id), std::move(widget));
 }
 

@@ -5,9 +5,11 @@
 // lower-case ASCII, the same in every language (5-editor).
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vides {
@@ -53,7 +55,9 @@ struct Widget {
   Rect visible;       // the part of rect that its column doesn't hide
   std::string value;  // what it shows; empty for buttons
   bool enabled = true;
-  std::string tip = {};  // what is told when the pointer rests on it
+  std::string tip = {};   // what is told when the pointer rests on it
+  std::string ring = {};  // of the keyboard (panels/focus.hpp): its panel or window
+  std::size_t order = 0;  // in which widgets are drawn
 };
 
 // A text that was drawn, and the room that it had.
@@ -71,6 +75,21 @@ class WidgetRegistry {
   void add(Widget widget);
   void addText(DrawnText text) { texts_.push_back(std::move(text)); }
 
+  // What is added until the end of the scope belongs to this panel or window; outside of any to
+  // its own area.
+  class Ring {
+   public:
+    Ring(WidgetRegistry& registry, std::string name)
+        : registry_(registry), before_(std::exchange(registry.ring_, std::move(name))) {}
+    ~Ring() { registry_.ring_ = std::move(before_); }
+    Ring(const Ring&) = delete;
+    Ring& operator=(const Ring&) = delete;
+
+   private:
+    WidgetRegistry& registry_;
+    std::string before_;
+  };
+
   // Null where it isn't on screen.
   const Widget* find(std::string_view id) const;
   // By identifier.
@@ -80,6 +99,7 @@ class WidgetRegistry {
  private:
   std::map<std::string, Widget, std::less<>> widgets_;
   std::vector<DrawnText> texts_;
+  std::string ring_;
 };
 
 }  // namespace vides

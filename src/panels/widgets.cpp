@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Our widgets: buttons, sliders, numbers that can be typed, areas.
+// Our widgets: buttons, sliders, areas.
 #include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "flight/printable.hpp"
-#include "panels/file_names.hpp"
 #include "panels/ui.hpp"
 
 namespace vides {
 namespace {
 
-constexpr double kTooltipDelay = 0.6;     // seconds
-constexpr std::size_t kMostTyped = 4096;  // bytes: a name of 1,000 characters
+constexpr double kTooltipDelay = 0.6;  // seconds
 
 ImRect rectangle(const Rect& r) { return {r.x, r.y, r.right(), r.bottom()}; }
 
@@ -47,12 +43,16 @@ Ui::Press Ui::press(std::string_view id, const Rect& rect, WidgetKind, bool enab
   Press result;
   const ImRect box = rectangle(rect);
   const ImGuiID key = idOf(id);
+  // One that was walked to is brought into sight before it does anything.
   if (!ImGui::ItemAdd(box, key)) return result;
   if (!enabled) {
     result.hovered = over(rect);
     return result;
   }
   result.pressed = ImGui::ButtonBehavior(box, key, &result.hovered, &result.held);
+  KeyboardFocus& focus = setting_.memory.focus;
+  if (result.pressed) focus.passed(id);
+  result.pressed = result.pressed || focus.takeOperation(id);
   return result;
 }
 
@@ -248,150 +248,11 @@ bool Ui::pictureButton(std::string_view id, const Rect& rect, const ButtonStyle&
   return state.pressed;
 }
 
-void Ui::startTyping(std::string_view id, std::string words) {
-  setting_.memory.editing = id;
-  setting_.memory.before = words;
-  setting_.memory.buffer = std::move(words);
-  setting_.memory.editingStarted = false;
-  // Room for a whole field; what is shown elsewhere is looked up anew.
-  if (setting_.memory.wide.room() < kMostTyped / 3) setting_.memory.wide.clear();
-}
-
-// Nothing while it is typed; then the text, or nothing with `ended` where it was given up.
-std::optional<std::string> Ui::textEditor(std::string_view id, const Rect& rect, bool& ended) {
-  UiMemory& memory = setting_.memory;
-  char buffer[kMostTyped] = {};
-  memory.wide.foldedName(memory.buffer).copy(buffer, kMostTyped - 1);
-  ImFont* used = font(Weight::kRegular);
-  const float vertical = std::floor((rect.height - used->FontSize) / 2.0f);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(6), vertical));
-  ImGui::SetCursorScreenPos({rect.x, rect.y});
-  ImGui::PushItemWidth(rect.width);
-  const std::string label = "###" + std::string(id) + "/typing";
-  if (memory.editingStarted && !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputText(label.c_str(), buffer, kMostTyped,
-                       ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
-  const bool left = ImGui::IsItemDeactivated();
-  if (ImGui::IsItemActive()) memory.editingStarted = true;
-  ImGui::PopItemWidth();
-  ImGui::PopStyleVar();
-  outline(rect, ColourRole::kText, 3.0f);
-  memory.buffer = memory.wide.unfolded(buffer);
-  ended = entered || left;
-  if (!ended) return std::nullopt;
-  memory.editing.clear();
-  memory.editingStarted = false;
-  // Who only looked has typed nothing: what is shown may be rounded.
-  const bool given =
-      (entered || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) &&
-      memory.buffer != memory.before;
-  return given ? std::optional(memory.buffer) : std::nullopt;
-}
-
-Ui::Typed Ui::typeNumber(std::string_view id, const Rect& rect) {
-  bool ended = false;
-  const auto typed = textEditor(id, rect, ended);
-  if (!ended || !typed) return {};
-  std::string plain = *typed;
-  // Units may stand behind the number, and the minus that we show is one.
-  for (std::size_t at; (at = plain.find("\u2212")) != std::string::npos;) {
-    plain = plain.substr(0, at) + "-" + plain.substr(at + 3);
-  }
-  while (!plain.empty() && plain.back() == ' ') plain.pop_back();
-  while (!plain.empty() && plain.front() == ' ') plain.erase(0, 1);
-  if (const auto value = setting_.parse(plain)) return {*value, std::nullopt};
-  return {std::nullopt, plain};
-}
-
-Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const FieldStyle& style) {
-  const std::string shownValue = number(value, style.decimals);
-  const bool hovered = over(rect);
-  const bool takesText = style.enabled && !style.readOnly;
-  registerWidget(id, words(id), style.readOnly ? WidgetKind::kText : WidgetKind::kField, rect,
-                 style.enabled, shownValue, tip(id));
-  if (setting_.memory.editing != id && takesText && hovered && ImGui::IsMouseClicked(0)) {
-    startTyping(id, shownValue);
-  }
-  if (setting_.memory.editing == id) return typeNumber(id, rect);
-  ImGui::ItemAdd(rectangle(rect), idOf(id));
-  if (!style.readOnly) {
-    fill(rect, ColourRole::kField, 3.0f);
-    edge(rect);
-  }
-  if (takesText && hovered) {
-    outline(rect, ColourRole::kControlHovered, 3.0f);
-    ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
-  }
-  // A long number gives up the air around it, decimals but two, the words before it, then the last
-  // decimals. It is typed with all of them.
-  std::string tail = shownValue + style.suffix;
-  float words = style.prefix.empty() ? 0.0f : textWidth(style.prefix) + px(2);
-  const auto fits = [&](float inset) {
-    return textWidth(tail, style.weight) + words <= rect.width - 2 * inset;
-  };
-  const float inset = fits(px(4)) ? px(4) : kTightInset * scale();
-  int decimals = style.decimals;
-  const auto shorten = [&](int least) {
-    while (decimals > least && !fits(inset)) tail = number(value, --decimals) + style.suffix;
-  };
-  shorten(2);
-  if (!fits(inset)) words = 0.0f;
-  shorten(0);
-  const Rect inside{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
-  const float room = textWidth(tail, style.weight);
-  if (words > 0.0f && room + words <= inside.width) {
-    text({inside.x, inside.y, inside.width - room - px(2), inside.height}, style.prefix,
-         {.colour = ColourRole::kTextSecondary});
-  }
-  const float taken = std::min(room, inside.width);
-  const float left = (inside.width - taken) * (style.centred ? 0.5f : 1.0f);
-  text({inside.x + left, inside.y, taken, inside.height}, tail,
-       {.colour = style.enabled ? ColourRole::kText : ColourRole::kTextDisabled,
-        .weight = style.weight,
-        .align = Align::kRight,
-        .mayShorten = true});
-  tooltip(id, rect, {.hovered = hovered, .held = false, .pressed = false});
-  return {};
-}
-
-std::optional<std::string> Ui::textField(std::string_view id, const Rect& rect,
-                                         std::string_view value, bool path) {
-  const bool hovered = over(rect);
-  registerWidget(id, words(id), WidgetKind::kField, rect, true, value, tip(id));
-  if (setting_.memory.editing != id && hovered && ImGui::IsMouseClicked(0)) {
-    startTyping(id, std::string(value));
-  }
-  if (setting_.memory.editing == id) {
-    bool ended = false;
-    return textEditor(id, rect, ended);
-  }
-  ImGui::ItemAdd(rectangle(rect), idOf(id));
-  fill(rect, ColourRole::kField, 3.0f);
-  edge(rect);
-  if (hovered) {
-    outline(rect, ColourRole::kControlHovered, 3.0f);
-    ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
-  }
-  const float inset = px(6);
-  const Rect room{rect.x + inset, rect.y, rect.width - 2 * inset, rect.height};
-  const std::string whole = path ? shownName(*this, value) : printable(value);
-  std::string shownText = whole;
-  for (std::size_t slash = 0; path && textWidth(shownText) > room.width;) {
-    slash = whole.find('/', slash + 1);
-    if (slash == std::string::npos) break;
-    shownText = "\u2026" + whole.substr(slash);
-  }
-  text(room, shownText, {.mayShorten = true});
-  tooltip(id, rect, {.hovered = hovered, .held = false, .pressed = false}, {});
-  return std::nullopt;
-}
-
 std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, double value,
                                       const SliderStyle& style) {
   UiMemory& memory = setting_.memory;
   registerWidget(id, words(id), WidgetKind::kSlider, rect, style.enabled,
-                 number(value, style.decimals), tip(id));
+                 style.differs ? "\u2013" : number(value, style.decimals), tip(id));
   const ImGuiIO& io = ImGui::GetIO();
   const bool asked = ImGui::IsMouseDoubleClicked(0) || (io.KeyCtrl && ImGui::IsMouseClicked(0));
   const Rect typingBox = [&] {
@@ -400,16 +261,16 @@ std::optional<ValueChange> Ui::slider(std::string_view id, const Rect& rect, dou
                     0.0f, std::min(rect.centreX() - width / 2, io.DisplaySize.x - width - px(4)))),
                 std::round(rect.centreY() - px(12)), width, px(24)};
   }();
-  if (memory.editing != id && style.enabled && asked && over(rect)) {
-    startTyping(id, number(value, style.decimals));
-    memory.editingStarted = true;
+  const bool keyed = style.enabled && memory.focus.takeOperation(id);
+  if (memory.editing != id && style.enabled && ((asked && over(rect)) || keyed)) {
+    startTyping(id, style.differs ? std::string() : number(value, style.decimals));
     memory.dragging.clear();
     ImGui::ClearActiveID();
   }
   if (memory.editing == id) {
-    const Typed typed = typeNumber(id, typingBox);
+    const Typed typed = typeNumber(id, typingBox, value);
     if (!typed.value) return std::nullopt;
-    return ValueChange{*typed.value, Phase::kCommit, true};
+    return ValueChange{*typed.value, Phase::kCommit, true, typed.sum};
   }
 
   const Press state = press(id, rect, WidgetKind::kSlider, style.enabled);

@@ -90,7 +90,16 @@ void inside(const Ui& ui, const Inside& place, const FramePart& content, const F
   if (buttons) buttons({room.x, room.bottom() - high, room.width, high});
 }
 
-// The button at a heading's right end; true if it was pressed.
+// Between Begin and End of a window: its widgets are a ring of the keyboard's.
+WidgetRegistry::Ring ringOfWindow(Ui& ui, std::string_view name) {
+  if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) {
+    ui.memory().focus.inWindow(name);
+  }
+  return {ui.registry(), std::string(name)};
+}
+
+// The button at a heading's right end, the last one that the keyboard reaches; true if it was
+// pressed.
 bool closeButton(Ui& ui, const std::string& id, const Rect& row) {
   const std::string own = ui.words(id);
   return ui.iconButton(id, {row.right() - row.height + ui.px(4), row.y, row.height, row.height},
@@ -170,9 +179,11 @@ bool windowFrame(Ui& ui, const WindowFrame& frame, const FramePart& content,
   if (frame.focus) ImGui::SetNextWindowFocus();
   ImGui::Begin(frame.id, nullptr, kFlags);
   if (frame.modal) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  const WidgetRegistry::Ring ring =
+      ringOfWindow(ui, std::string_view(frame.id).substr(std::string_view("###").size()));
   edge(ui, all);
   Rect row{all.x + pad, all.y + ui.px(kAboveHeading), text, ui.px(kHeading)};
-  const bool closed = !frame.close.empty() && closeButton(ui, frame.close, row);
+  const Rect heading = row;
   const float button = frame.close.empty() ? 0.0f : row.height;
   for (const std::string& line : lines) {
     ui.text({row.x, row.y, row.width - button, row.height}, line,
@@ -190,6 +201,7 @@ bool windowFrame(Ui& ui, const WindowFrame& frame, const FramePart& content,
           ui.px(needed(frame.width, frame.leastWidth)) - 2 * pad,
           ui.px(needed(frame.height, frame.leastHeight)) + more - above - pad},
          content, buttons);
+  const bool closed = !frame.close.empty() && closeButton(ui, frame.close, heading);
   ImGui::End();
   return !closed;
 }
@@ -215,7 +227,12 @@ bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place, const
   ImGui::SetNextWindowPos({x, y});
   ImGui::SetNextWindowSize({w, h});
   const std::string id = "###" + frame.area;
+  if (ui.memory().focus.raise == frame.area) {
+    ImGui::SetNextWindowFocus();
+    ui.memory().focus.raise.clear();
+  }
   ImGui::Begin(id.c_str(), nullptr, kFlags);
+  const WidgetRegistry::Ring ring = ringOfWindow(ui, frame.area);
   edge(ui, {x, y, w, h});
   const float pad = ui.px(12);
   const Rect row{x + pad, y + ui.px(kAboveHeading), w - 2 * pad, ui.px(kHeading)};
@@ -234,7 +251,6 @@ bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place, const
   if (state.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   ui.text({row.x, row.y, row.width - row.height, row.height}, frame.heading,
           {.weight = Weight::kSemibold, .mayShorten = true});
-  const bool closed = closeButton(ui, frame.area + "/close", row);
   const float above = row.bottom() + ui.px(kAboveHeading) - y;
   inside(ui,
          {{row.x, y + above, row.width, h - above - pad},
@@ -242,6 +258,7 @@ bool floatingFrame(Ui& ui, const FloatingFrame& frame, WindowPlace& place, const
           ui.px(needed(frame.width, frame.leastWidth)) - 2 * pad,
           ui.px(needed(frame.height, frame.leastHeight)) - above - pad},
          content, buttons);
+  const bool closed = closeButton(ui, frame.area + "/close", row);
   ImGui::End();
   return !closed;
 }

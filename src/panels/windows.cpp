@@ -188,6 +188,12 @@ bool canRun(const Session& session, std::string_view commandLine) {
 
 void windows(Ui& ui, const Session& session, const Texts& texts, WindowsMemory& memory,
              Actions& actions) {
+  // One that is asked for, though it was open under others, comes to the front.
+  const std::vector<std::string>& open = session.windows();
+  if (open != memory.open && open.size() >= memory.open.size() && !open.empty()) {
+    ui.memory().focus.raise = open.back();
+  }
+  memory.open = open;
   if (session.windowOpen("speed")) speedWindow(ui, session, memory.speed, actions);
   if (session.windowOpen("shape")) shapeWindow(ui, session, memory.shape, actions);
   if (session.windowOpen("flight")) flightWindow(ui, session, memory.flight, actions);
@@ -197,6 +203,9 @@ void windows(Ui& ui, const Session& session, const Texts& texts, WindowsMemory& 
   if (session.windowOpen("settings")) settingsWindow(ui, session, memory.settings, actions);
   chooser(ui, session, memory.chooser, actions);
   if (session.question()) question(ui, session, actions);
+  // One that was pressed is on top: it is the first that Escape closes.
+  const std::string& front = ui.memory().focus.window();
+  if (session.windowOpen(front) && front != open.back()) actions.raise = front;
 }
 
 }  // namespace vides

@@ -2,7 +2,9 @@
 // Windows over the editor: the question that must be answered, how many keys, the shortcuts.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "edit/session.hpp"
 #include "edit/texts.hpp"
@@ -28,6 +30,7 @@ struct WindowsMemory {
   SettingsMemory settings;
   WindowPlace flight, frames;
   SpeedWindowMemory speed;
+  std::vector<std::string> open;  // in the display frame before
 };
 
 // All that are open.

@@ -55,7 +55,7 @@ TEST_P(Layouts, NothingMustBeScrolled) {
   show(GetParam());
   const float top = rectOf("view/timeline_splitter").centreY();
   EXPECT_LE(rectOf("zoom/value").bottom(), top);
-  EXPECT_LE(rectOf("zoom/lens").bottom(), top);
+  EXPECT_LE(rectOf("zoom/focal_length").bottom(), top);
   EXPECT_LE(rectOf("measures/turn_rate").bottom(), top);
   EXPECT_GE(rectOf("speed/curve").height, 30.0 * GetParam().scale);
   EXPECT_GE(rectOf("camera/sphere").height, 96.0 * GetParam().scale);

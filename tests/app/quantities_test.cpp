@@ -10,14 +10,12 @@ namespace {
 class Quantities : public testing::Test {
  protected:
   Ui ui(bool decimalComma = false) {
-    return Ui({fonts_, theme_, words_, tell_, parse_, hint_, registry_, memory_, 1.0f, 0.0,
-               decimalComma});
+    return Ui({fonts_, theme_, words_, tell_, hint_, registry_, memory_, 1.0f, 0.0, decimalComma});
   }
   Fonts fonts_;
   Theme theme_;
   Words words_ = [](std::string_view key) { return std::string(key); };
   Tell tell_;
-  NumberParser parse_;
   ShortcutHint hint_;
   WidgetRegistry registry_;
   UiMemory memory_;

@@ -122,7 +122,7 @@ TEST(ShapeWindow, AnotherEditEndsTheStepAsItIsSeen) {
   run(session, "shape-set tension -0.25");
   session.begin("step.move-key");  // a drag in the viewport
   session.preview(Command("move-key", 4, 0.5, 0.5, 0.5));
-  refused(session, "shape-set tension 1", "refusal.not-available");
+  refused(session, "shape-set tension 1", "refusal.in-gesture");
   session.commit();
   EXPECT_EQ(session.history().steps(), steps + 2);
   // Nobody else's shape has changed; the window goes on.
@@ -277,11 +277,12 @@ TEST(ShapeWindow, ItsCommandsNeedIt) {
   for (const char* line : {"shape-choose 3", "shape-set bias 1", "shape-show", "shape-ok"}) {
     refused(session, line, "refusal.not-available");
   }
-  // Opened during a drag it begins with the drag's end.
+  // A drag ends before it can be opened.
   session.begin("step.set-zoom");
-  run(session, "show-window shape");
+  refused(session, "show-window shape", "refusal.in-gesture");
   session.preview(Command("set-zoom", 30));
   session.commit();
+  run(session, "show-window shape");
   EXPECT_TRUE(session.inWindow());
   run(session, "shape-set bias 1");
   run(session, "shape-cancel");
