@@ -163,7 +163,9 @@ void Editor::Parts::apply(const Actions& actions) {
       continue;
     }
     if (!session.inDrag()) session.begin({});
-    session.preview(step.command);
+    using On = Session::PreviewOn;
+    if (step.phase != Phase::kCancel)
+      session.preview(step.command, step.fromStart ? On::kStart : On::kShown);
     if (step.phase == Phase::kCommit) session.commit();
     if (step.phase == Phase::kCancel) session.cancel();
   }

@@ -8,6 +8,7 @@
 #include "app/editor_parts.hpp"
 #include "panels/column_layout.hpp"
 #include "panels/menu_bar.hpp"
+#include "panels/note_place.hpp"
 #include "panels/right_panels.hpp"
 #include "panels/viewport_panel.hpp"
 #include "panels/windows.hpp"
@@ -90,11 +91,12 @@ void Editor::Parts::pointerNote(Ui& ui, const std::string& told, const Vec2& at,
   const float width = ui.textWidth(told) + ui.px(16);
   // In the viewport where it has room there: the columns stay readable.
   const Rect seen = pictures->flightRect();
-  const float end = seen.width > width + ui.px(8) ? seen.right() : ImGui::GetIO().DisplaySize.x;
-  const float room = end - width - ui.px(4);
-  const Rect box{
-      std::round(std::clamp(static_cast<float>(at.x) + ui.px(16), 0.0f, std::max(0.0f, room))),
-      std::round(static_cast<float>(at.y) + ui.px(14)), width, ui.px(24)};
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const Rect room = seen.width > width + ui.px(8) ? seen : Rect{0.0f, 0.0f, screen.x, screen.y};
+  const Rect box = notePlace(room.inset(ui.px(4)), {width, ui.px(24)},
+                             {static_cast<float>(at.x), static_cast<float>(at.y)},
+                             pictures->handles(), ui.scale());
+  ui.shows("view/hint", box, told);
   ui.fill(box, ColourRole::kPanel, 4.0f, 0.94);
   ui.text({box.x + ui.px(8), box.y, width - ui.px(16), box.height}, told,
           {.colour = refusal ? ColourRole::kError : ColourRole::kTextSecondary});

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/in_view.hpp"
+
 namespace vides {
 namespace {
 
@@ -81,6 +83,17 @@ void addTexts(const Ui& ui, ImDrawList& list, const DrawList& picture) {
   }
 }
 
+// In the middle of a picture that has room for it.
+void addNote(const Ui& ui, ImDrawList& list, const Rect& rect, const std::string& words) {
+  const float width = ui.textWidth(words);
+  if (width + ui.px(8) > rect.width) return;
+  const ImFont* font = ui.font(Weight::kRegular);
+  list.AddText(
+      font, font->FontSize,
+      {std::round(rect.centreX() - width / 2), std::round(rect.centreY() - font->FontSize / 2)},
+      ui.colour(ColourRole::kTextSecondary), words.c_str());
+}
+
 }  // namespace
 
 tl::expected<std::unique_ptr<FlightPictures>, std::string> FlightPictures::create(const Gl& gl) {
@@ -110,9 +123,11 @@ void FlightPictures::add(bool film, const Ui& ui, ImDrawList& list, const Rect& 
   if (rect.empty()) return;
   const Theme& theme = ui.theme();
   const DrawList* picture = nullptr;
+  bool nothing = false;
   if (film) {
     filmRect_ = rect;
     picture = filmList_ = &filmScene_.build(cameraInput(session, scenes, rect, theme, ui.scale()));
+    nothing = !anythingInView(*filmList_);
   } else {
     flightRect_ = rect;
     ViewportInput input = viewportInput(ui, session, scenes, rect, theme);
@@ -124,6 +139,8 @@ void FlightPictures::add(bool film, const Ui& ui, ImDrawList& list, const Rect& 
                    this);
   list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
   addTexts(ui, list, *picture);
+  // A black picture may also be a fault: it is none.
+  if (nothing) addNote(ui, list, rect, ui.words("camera/nothing"));
   list.PopClipRect();
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -44,6 +45,10 @@ class FlightPictures {
   // What lies under a pixel of the window, of the flight as drawn last.
   std::optional<HandleId> handleUnder(const Vec2& pixel, std::size_t currentKey,
                                       double contentScale) const;
+  // Where the handles of the flight's picture are; none where it isn't drawn.
+  std::span<const Handle> handles() const {
+    return flightList_ ? std::span<const Handle>(flightList_->handles) : std::span<const Handle>();
+  }
   std::optional<CurveHit> curveUnder(const Vec2& pixel, double reach) const;
 
  private:

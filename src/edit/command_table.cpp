@@ -8,7 +8,9 @@
 #include "edit/ease.hpp"
 #include "edit/flight_edits.hpp"
 #include "edit/key_edits.hpp"
+#include "edit/mark_edits.hpp"
 #include "edit/orientation_edits.hpp"
+#include "edit/playback_speed.hpp"
 #include "edit/session.hpp"
 #include "edit/session_actions.hpp"
 
@@ -44,6 +46,7 @@ bool readsScenes(const Session& s) { return s.reading().has_value(); }
 bool writesNothing(const Session& s) { return s.frameJob() == nullptr; }
 bool hasQuestion(const Session& s) { return s.question().has_value(); }
 bool hasShapeWindow(const Session& s) { return s.inWindow() && s.windowOpen("shape"); }
+bool hasRange(const Session& s) { return s.playback().in() || s.playback().out(); }
 bool hasRecent(const Session& s) { return !s.recentFiles().empty(); }
 
 void addEdit(Table& table, const char* name, std::vector<Argument> arguments, EditFunction run) {
@@ -166,6 +169,12 @@ void addFlightCommands(Table& t) {
           setSpaceEdit);
 }
 
+std::vector<std::string> playbackSpeeds() {
+  std::vector<std::string> names;
+  for (const PlaybackSpeed& speed : kPlaybackSpeeds) names.emplace_back(speed.name);
+  return names;
+}
+
 void addPlayheadCommands(Table& t) {
   addAct(t, "play", {onOff()}, Acts::play);
   addAct(t, "previous-frame", {}, Acts::previousFrame);
@@ -176,6 +185,11 @@ void addPlayheadCommands(Table& t) {
   addAct(t, "last-frame", {}, Acts::lastFrame);
   addAct(t, "go-to-frame", {index("FRAME")}, Acts::goToFrame);
   addAct(t, "loop", {onOff()}, Acts::loop);
+  addAct(t, "set-in", {optional(index("FRAME"))}, Acts::setIn);
+  addAct(t, "set-out", {optional(index("FRAME"))}, Acts::setOut);
+  addAct(t, "clear-range", {}, Acts::clearRange, hasRange);
+  addAct(t, "playback-speed", {choice("TIMES", playbackSpeeds())}, Acts::playbackSpeed);
+  addEdit(t, "move-mark", {index("KEY"), index("ORIENTATION"), number("FRAMES")}, moveMarkEdit);
 }
 
 void addViewCommands(Table& t) {

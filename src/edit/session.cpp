@@ -50,6 +50,7 @@ void Session::reset(Flight flight) {
   std::erase(windows_, "shape");  // what it would go back to is gone
   playback_.stop();
   playback_.goTo(0);
+  playback_.clearRange();
   freeCamera_.reset();
   output_ = {};
   // Another flight: all of its frames, into a file of its own; format and space are kept.
@@ -261,15 +262,17 @@ bool Session::preview(Flight flight) {
   return true;
 }
 
-bool Session::preview(const Command& command) {
+bool Session::preview(const Command& command, PreviewOn on) {
   if (!gesture_) return false;
   if (auto checked = checkArguments(command); !checked) return refuse(checked.error());
   const auto* edit = std::get_if<EditFunction>(&findCommand(command.name)->run);
   if (edit == nullptr) return refuse("refusal.in-gesture");
-  const EditResult result = (*edit)(state_, Arguments(command));
+  const EditState& from = on == PreviewOn::kStart ? gesture_->start : state_;
+  const EditResult result = (*edit)(from, Arguments(command));
   if (!result) return refuse(result.error());
   if (!preview(result->flight)) return false;
   if (!gesture_->window) gesture_->step = result->step;
+  if (!result->note.empty()) say(MessageKind::kDone, result->note);
   if (seams_.ran) seams_.ran(command);
   return true;
 }

@@ -97,9 +97,10 @@ class Session {
   const EditState& start() const { return gesture_->start; }
   // False where the flight isn't valid: the last valid preview stays, and the output line tells.
   bool preview(Flight flight);
-  // A command that edits, on top of what is shown: for sliders and windows that preview. It names
-  // a drag's step.
-  bool preview(const Command& command);
+  // A command that edits: for sliders and windows that preview. It names a drag's step. On top of
+  // what is shown, or of the gesture's start, for commands that say by how much.
+  enum class PreviewOn { kShown, kStart };
+  bool preview(const Command& command, PreviewOn on = PreviewOn::kShown);
   void commit();
   void cancel();
 

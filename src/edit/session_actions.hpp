@@ -59,6 +59,10 @@ struct SessionActions {
   static Result firstFrame(Session& session, const Arguments& arguments);
   static Result lastFrame(Session& session, const Arguments& arguments);
   static Result loop(Session& session, const Arguments& arguments);
+  static Result setIn(Session& session, const Arguments& arguments);
+  static Result setOut(Session& session, const Arguments& arguments);
+  static Result clearRange(Session& session, const Arguments& arguments);
+  static Result playbackSpeed(Session& session, const Arguments& arguments);
 
   // The view.
   static Result view(Session& session, const Arguments& arguments);

@@ -8,15 +8,30 @@
 #include "math/whole.hpp"
 
 namespace vides {
+namespace {
+
+// Whether sections without frames lie between entry `index` of the list of sections and the one
+// before; behind the last one for an index past it.
+bool silentBefore(const Evaluation& evaluation, std::int64_t index) {
+  const std::int64_t count = evaluation.sectionCount();
+  const OrientationPlace came = index > 0 ? evaluation.section(index - 1).to : OrientationPlace{};
+  if (index < count) return came != evaluation.section(index).from;
+  const Flight& flight = evaluation.flight();
+  const std::size_t key = flight.keys.size() - 1;
+  const OrientationPlace last{key, flight.keys[key].orientations.size() - 1};
+  return came != (flight.closed ? OrientationPlace{} : last);
+}
+
+}  // namespace
 
 std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const TimelineRange& range) {
   std::vector<TimelineMark> marks;
   const std::int64_t last = evaluation.frameCount() - 1;
   const double right = range.frame(range.pixels);
-  const auto add = [&](OrientationPlace place, std::int64_t frame) {
+  const auto add = [&](OrientationPlace place, std::int64_t frame, bool silent) {
     const bool key = place.orientation == 0 || evaluation.frameOf({place.key, 0}) == frame;
     if (key) place.orientation = 0;
-    marks.push_back({place, frame, key});
+    marks.push_back({place, frame, key, silent});
   };
   std::int64_t frame = wholeWithin(std::ceil(range.firstFrame), 0, evaluation.frameCount());
   while (frame <= last && static_cast<double>(frame) <= right) {
@@ -26,7 +41,7 @@ std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const Time
     // Where a section has begun before, its mark shares its pixels with the one before.
     const std::int64_t stands = evaluation.frameOf(section->from);
     if (stands >= frame && section->firstFrame >= frame) {
-      add(section->from, stands);
+      add(section->from, stands, silentBefore(evaluation, section->index));
       const double apart = static_cast<double>(stands) + kLeastApart * range.framesPerPixel;
       next = std::max(next, wholeWithin(std::ceil(apart), 0, evaluation.frameCount()));
     }
@@ -39,7 +54,8 @@ std::vector<TimelineMark> timelineMarks(const Evaluation& evaluation, const Time
     const std::size_t key = flight.keys.size() - 1;
     const OrientationPlace end{key, flight.keys[key].orientations.size() - 1};
     const bool there = !marks.empty() && marks.back().frame == evaluation.frameOf(end);
-    if (!there) add(end, evaluation.frameOf(end));
+    const bool silent = silentBefore(evaluation, evaluation.sectionCount());
+    if (!there) add(end, evaluation.frameOf(end), silent);
   }
   return marks;
 }

@@ -24,6 +24,8 @@ struct TimelineMark {
   OrientationPlace place;  // the key's first orientation where several stand on the frame
   std::int64_t frame = 0;
   bool key = false;  // else one of a key's further orientations
+  // A section without frames lies here: several orientations stand on the frame.
+  bool silent = false;
 };
 
 // From left to right, each in its place, at least kLeastApart pixels apart.

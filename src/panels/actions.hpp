@@ -18,8 +18,9 @@ struct Actions {
   struct Step {
     Command command;
     Phase phase = Phase::kCommit;
-    bool gesture = false;  // one of a row of previews that ends with a commit or cancel
-    bool window = false;   // of the window that previews for as long as it is open
+    bool gesture = false;    // one of a row of previews that ends with a commit or cancel
+    bool window = false;     // of the window that previews for as long as it is open
+    bool fromStart = false;  // of a gesture: on top of how all was at its start
   };
   std::vector<Step> steps;
   std::optional<std::string> noNumber;  // what was typed where a number belongs
@@ -30,6 +31,10 @@ struct Actions {
   void run(Command command) { steps.push_back({std::move(command), Phase::kCommit, false}); }
   // One of a gesture's; the step's name is the command's.
   void during(Command command, Phase phase) { steps.push_back({std::move(command), phase, true}); }
+  // The same for a command that says by how much: each counts from the press.
+  void sincePress(Command command, Phase phase) {
+    steps.push_back({std::move(command), phase, true, false, true});
+  }
   void inWindow(Command command) {
     steps.push_back({std::move(command), Phase::kPreview, false, true});
   }

@@ -14,75 +14,23 @@
 #include "math/whole.hpp"
 #include "panels/left_panels.hpp"
 #include "panels/quantities.hpp"
-#include "panels/timeline_readout.hpp"
+#include "panels/timeline_rows.hpp"
 #include "panels/timeline_runs.hpp"
 
 namespace vides {
 namespace {
 
 constexpr float kLowTimeline = 148.0f;
-constexpr float kShortRow = 560.0f;  // a shorter first row has the legend rather than long labels
 constexpr double kLeastFramesPerPixel = 1.0 / 40.0;
-constexpr std::int64_t kMostMarks = std::int64_t{1} << 40;  // more than any flight has frames
 
-// Frames to pixels and back.
-struct Track {
-  float left = 0.0f, right = 0.0f;
-  double firstFrame = 0.0;
-  double framesPerPixel = 1.0;
-  std::int64_t frames = 1;
-  float x(double frame) const {
-    return left + static_cast<float>((frame - firstFrame) / framesPerPixel);
-  }
-  double frame(float px) const {
-    return firstFrame + static_cast<double>(px - left) * framesPerPixel;
-  }
-  std::int64_t nearest(float px) const { return wholeWithin(std::round(frame(px)), 0, frames - 1); }
-  bool sees(float px) const { return px >= left - 1.0f && px <= right + 1.0f; }
-};
-
-void transport(Ui& ui, const Rect& row, const Session& session, const FlightGraphs& graphs,
-               TimelineView& view, Actions& actions) {
-  float x = row.x;
-  const auto place = [&](float width) {
-    const Rect result{x, row.y, ui.px(width), row.height};
-    x += ui.px(width + 4);
-    return result;
-  };
-  const auto buttonWidth = [&](const std::string& label) {
-    return std::ceil(ui.textWidth(label, Weight::kSemibold) / ui.scale()) + 18.0f;
-  };
-  const auto run = [&](const char* command) { actions.run(Command(command)); };
-  if (ui.iconButton("timeline/first", place(32), Icon::kFirst, {.command = "first-frame"}))
-    run("first-frame");
-  const bool playing = session.playback().playing();
-  if (ui.iconButton("timeline/play", place(32), playing ? Icon::kPause : Icon::kPlay,
-                    {.on = playing, .toggle = true, .command = "play"})) {
-    run("play");
-  }
-  if (ui.iconButton("timeline/last", place(32), Icon::kLast, {.command = "last-frame"}))
-    run("last-frame");
-  if (ui.button("timeline/loop", place(buttonWidth(ui.words("timeline/loop"))),
-                {.on = session.playback().loop(), .toggle = true, .command = "loop"})) {
-    run("loop");
-  }
-  const std::string fit =
-      ui.words(row.width < ui.px(kShortRow) ? "timeline/fit#short" : "timeline/fit");
-  if (ui.button("timeline/fit", place(buttonWidth(fit)), fit, {.enabled = !view.fit}))
-    view.fit = true;
-  x += ui.px(6);
-
-  timelineReadout(ui, {x, row.y, row.right() - x, row.height}, session, graphs);
-}
-
-void ruler(Ui& ui, const Rect& row, const Track& track, double fps) {
+void ruler(Ui& ui, const Rect& row, const TimelineTrack& track, double fps) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double step = rulerStep(track.framesPerPixel, fps, static_cast<double>(ui.px(72)));
   const bool inSeconds = step >= fps;
   const double span = static_cast<double>(track.frames) / fps;
   const int parts = inSeconds && std::fmod(step / fps, 5.0) != 0.0 && step / fps != 1.0 ? 2 : 5;
   const double least = step / parts;
-  const std::int64_t from = wholeWithin(std::ceil(track.firstFrame / least - 1e-9), 0, kMostMarks);
+  const std::int64_t from = wholeWithin(std::ceil(track.firstFrame / least - 1e-9), 0, kMostFrames);
   const double end = std::min(static_cast<double>(track.frames - 1), track.frame(track.right));
   for (std::int64_t i = std::max<std::int64_t>(0, from);
        static_cast<double>(i) * least <= end + 1e-9; ++i) {
@@ -112,21 +60,15 @@ Command endCommand(const TimelineView::EndDrag& end, std::int64_t frames, double
 }
 
 // The value above the end that is dragged.
-void tellEnd(Ui& ui, const Rect& row, const Track& track, const TimelineView::EndDrag& end,
+void tellEnd(Ui& ui, const Rect& row, const TimelineTrack& track, const TimelineView::EndDrag& end,
              double fps) {
   const std::string words = lengthText(ui, end.frames, fps);
-  const float width = ui.textWidth(words, Weight::kSemibold) + ui.px(16);
   const float x = track.x(static_cast<double>(end.firstFrame + end.frames));
-  const Rect box{std::clamp(std::round(x - width / 2), row.x, std::max(row.x, row.right() - width)),
-                 row.y - ui.px(28), width, ui.px(22)};
-  ui.fill(box, ColourRole::kPanel, 4.0f);
-  ui.outline(box, ColourRole::kBorder, 4.0f);
-  ui.text(box, words, {.weight = Weight::kSemibold, .align = Align::kCentre});
-  ui.shows("timeline/duration", box, words);
+  timelinePlate(ui, row, x, "timeline/duration", words);
 }
 
 // A section's end is dragged along: its duration, or the hold's, follows.
-void dragEnd(Ui& ui, const Rect& row, const Track& track, const Session& session,
+void dragEnd(Ui& ui, const Rect& row, const TimelineTrack& track, const Session& session,
              const Ui::AreaState& state, TimelineView& view, Actions& actions) {
   constexpr const char* kId = "timeline/sections";
   const double fps = session.flight().frameRate;
@@ -167,7 +109,7 @@ void dragEnd(Ui& ui, const Rect& row, const Track& track, const Session& session
   }
   const auto least = static_cast<std::int64_t>(end.hold ? 0 : 1);
   const double wanted = track.frame(pointer) + end.grip - static_cast<double>(end.firstFrame);
-  const std::int64_t frames = wholeWithin(std::round(wanted), least, kMostMarks);
+  const std::int64_t frames = wholeWithin(std::round(wanted), least, kMostFrames);
   if (frames != end.frames) {
     end.frames = frames;
     end.previewed = true;
@@ -177,25 +119,34 @@ void dragEnd(Ui& ui, const Rect& row, const Track& track, const Session& session
   if (!state.held) finish(Phase::kCommit);
 }
 
-// What is known of the pieces that are seen, from left to right.
-void forEachChunk(const Track& track, TimelineView& view,
-                  const std::function<void(const TimelineCache::Chunk&)>& tell) {
-  const double frames = TimelineCache::kChunkPixels * track.framesPerPixel;
-  const auto number = [&](float x) {
-    return wholeWithin(std::floor(track.frame(x) / frames), 0, kMostMarks);
+// In the tooltip: what it is, from where to where, how long, and why so.
+void tellSection(Ui& ui, const Rect& bar, const Session& session, const Section& section) {
+  const double fps = session.flight().frameRate;
+  const double seconds = static_cast<double>(section.frames) / fps;
+  const auto place = [&](const OrientationPlace& at) {
+    const bool several = session.flight().keys[at.key].orientations.size() > 1;
+    return several ? Text("timeline.orientation", {at.key + 1, at.orientation + 1})
+                   : Text("timeline.key", {at.key + 1});
   };
-  for (std::int64_t n = number(track.left - 1.0f); n <= number(track.right + 1.0f); ++n) {
-    tell(view.cache.chunk(n));
-  }
+  const bool hold = section.from == section.to;
+  const Orientation& o =
+      session.flight().keys[section.from.key].orientations[section.from.orientation];
+  const Text length("timeline.length", {section.frames, ui.number(seconds, 2)});
+  std::string words = kindWord(ui, section.kind) + " \u00b7 ";
+  words += ui.tell(hold ? place(section.from)
+                        : Text("timeline.from-to", {place(section.from), place(section.to)}));
+  words += " \u00b7 " + ui.tell(length);
+  if (!hold) words += " \u00b7 " + ui.words(o.duration ? "timeline.timed" : "timeline.by-rate");
+  ui.tells("timeline/section_" + std::to_string(section.index), bar, words);
 }
 
 // From left to right, never more bars than pixels: what is narrower shares a pixel.
-void sections(Ui& ui, const Rect& row, const Track& track, const Session& session,
+void sections(Ui& ui, const Rect& row, const TimelineTrack& track, const Session& session,
               TimelineView& view, Actions& actions) {
   // A little wider than the bars, so that the last end can be held from outside.
   const float reach = ui.px(4);
-  const auto state =
-      ui.area("timeline/sections", {row.x - reach, row.y, row.width + 2 * reach, row.height});
+  const auto state = ui.area("timeline/sections",
+                             {row.x - reach, row.y, row.width + 2 * reach, row.height}, {}, false);
   const bool dragged = view.end.has_value();
   dragEnd(ui, row, track, session, state, view, actions);
   const float pointer = ImGui::GetIO().MousePos.x;
@@ -224,6 +175,7 @@ void sections(Ui& ui, const Rect& row, const Track& track, const Session& sessio
     } else {
       kindGlyph(ui, bar, section.kind);
     }
+    if (hovered && !state.held) tellSection(ui, bar, session, section);
     if (hovered && state.released && !dragged) {
       actions.run(Command("make-current", section.from.key, section.from.orientation));
     }
@@ -238,67 +190,32 @@ void sections(Ui& ui, const Rect& row, const Track& track, const Session& sessio
   if (currentBar) ui.outline(*currentBar, ColourRole::kAccent, 2.0f, 1.6f);
 }
 
-void marks(Ui& ui, const Rect& row, const Track& track, const Session& session, TimelineView& view,
-           Actions& actions) {
-  const Evaluation& evaluation = session.evaluation();
-  const auto state = ui.area("timeline/marks", row);
-  const float pointer = ImGui::GetIO().MousePos.x;
-  std::optional<OrientationPlace> clicked;
-  MarkRuns dots(ui, row.centreY());
-  float best = ui.px(6);
-  const auto mark = [&](const OrientationPlace& place, std::int64_t frame, bool isKey,
-                        ColourRole role) {
-    const float x = track.x(static_cast<double>(frame));
-    if (!track.sees(x)) return;
-    if (state.released && std::abs(pointer - x) < best) {
-      best = std::abs(pointer - x);
-      clicked = place;
-    }
-    const bool ringed =
-        isKey && session.selected().size() > 1 && session.selected().contains(place.key);
-    dots.add(x, isKey, ringed, role);
+// What is played: a band in the ruler between in and out point; the bars beside it are dim.
+void playRange(Ui& ui, const Rect& ruler, const Rect& bars, const TimelineTrack& track,
+               const Session& session) {
+  const Playback& playback = session.playback();
+  if (!playback.in() && !playback.out()) return;
+  const Playback::Span span = playback.span(track.frames);
+  const auto limited = [&](double frame) {
+    return std::clamp(std::round(track.x(frame)), track.left, track.right);
   };
-  forEachChunk(track, view, [&](const TimelineCache::Chunk& chunk) {
-    for (const TimelineMark& m : chunk.marks) mark(m.place, m.frame, m.key, ColourRole::kKey);
-  });
-  dots.end();
-  // The current one is seen among however many.
-  const OrientationPlace current = session.current();
-  const std::int64_t frame = evaluation.frameOf(current);
-  mark(current, frame, evaluation.frameOf({current.key, 0}) == frame, ColourRole::kAccent);
-  dots.end();
-  if (clicked) actions.run(Command("make-current", clicked->key, clicked->orientation));
+  const float from = limited(static_cast<double>(span.first));
+  const float to = std::max(from + 1.0f, limited(static_cast<double>(span.last)));
+  for (const auto& [left, right] : {std::pair(track.left, from), std::pair(to, track.right)}) {
+    if (right > left)
+      ui.fill({left, bars.y, right - left, bars.height}, ColourRole::kColumn, 0.0f, 0.6);
+  }
+  const float thick = ui.px(3), high = ui.px(10);
+  ui.fill({from, ruler.bottom() - thick, to - from, thick}, ColourRole::kSlider);
+  const float post = std::max(2.0f, ui.px(2));
+  ui.fill({from, ruler.bottom() - high, post, high}, ColourRole::kSlider);
+  ui.fill({to - post, ruler.bottom() - high, post, high}, ColourRole::kSlider);
+  ui.shows("timeline/range", {from, ruler.y, to - from, ruler.height},
+           std::to_string(span.first) + " " + std::to_string(span.last));
 }
 
-void strip(Ui& ui, const Rect& row, const Track& track, FlightGraphs& graphs) {
-  if (row.height < ui.px(8)) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const double end = std::min(static_cast<double>(track.frames - 1), track.frame(track.right));
-  // A sample a pixel, the mean over it, each always of the same frames while the flight is
-  // scrolled; every other one where several frames share a pixel anyway.
-  const float apart = track.framesPerPixel > 4.0 ? 2.0f : 1.0f;
-  const double step = static_cast<double>(apart) * track.framesPerPixel;
-  const std::int64_t first = wholeWithin(std::floor(track.firstFrame / step), 0, kMostMarks);
-  const std::int64_t past = wholeWithin(std::ceil(end / step - 1e-6), 0, kMostMarks);
-  if (past - first < 2) return;
-  const SpeedStrip& speeds = graphs.strip(first, step, static_cast<int>(past - first));
-  const float left = track.x(static_cast<double>(first) * step) + 0.5f * apart;
-  std::vector<ImVec2> points(speeds.speed.size());
-  const auto draw = [&](const std::vector<float>& values, float most, ColourRole role) {
-    if (most <= 0.0f) most = 1.0f;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      points[i] = {left + apart * static_cast<float>(i),
-                   row.bottom() - ui.px(2) - (row.height - ui.px(4)) * values[i] / most};
-    }
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), ui.colour(role), 0,
-                     1.4f * ui.scale());
-  };
-  draw(speeds.angularSpeed, speeds.mostAngularSpeed, ColourRole::kAim);
-  draw(speeds.speed, speeds.mostSpeed, ColourRole::kCurve);
-}
-
-void playhead(Ui& ui, const Rect& ruler, float bottom, const Track& track, const Session& session,
-              const TimelineView& view, Actions& actions) {
+void playhead(Ui& ui, const Rect& ruler, float bottom, const TimelineTrack& track,
+              const Session& session, const TimelineView& view, Actions& actions) {
   const auto state = ui.area("timeline/playhead", ruler, std::to_string(session.frame()));
   // With Ctrl held the ruler is dragged along instead.
   if (state.held && !view.panning) {
@@ -318,7 +235,7 @@ void playhead(Ui& ui, const Rect& ruler, float bottom, const Track& track, const
 }
 
 // Wheel: finer or coarser about the pointer; middle button: along.
-void navigate(Ui& ui, const Rect& rect, Track& track, TimelineView& view) {
+void navigate(Ui& ui, const Rect& rect, TimelineTrack& track, TimelineView& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool over = ImGui::IsWindowHovered() && rect.contains(io.MousePos.x, io.MousePos.y);
   const double all = static_cast<double>(std::max<std::int64_t>(1, track.frames - 1));
@@ -364,6 +281,28 @@ void navigate(Ui& ui, const Rect& rect, Track& track, TimelineView& view) {
 
 }  // namespace
 
+void forEachChunk(const TimelineTrack& track, TimelineView& view,
+                  const std::function<void(const TimelineCache::Chunk&)>& tell) {
+  const double frames = TimelineCache::kChunkPixels * track.framesPerPixel;
+  const auto number = [&](float x) {
+    return wholeWithin(std::floor(track.frame(x) / frames), 0, kMostFrames);
+  };
+  for (std::int64_t n = number(track.left - 1.0f); n <= number(track.right + 1.0f); ++n) {
+    tell(view.cache.chunk(n));
+  }
+}
+
+void timelinePlate(Ui& ui, const Rect& row, float x, const std::string& id,
+                   const std::string& words) {
+  const float width = ui.textWidth(words, Weight::kSemibold) + ui.px(16);
+  const Rect box{std::clamp(std::round(x - width / 2), row.x, std::max(row.x, row.right() - width)),
+                 row.y - ui.px(28), width, ui.px(22)};
+  ui.fill(box, ColourRole::kPanel, 4.0f);
+  ui.outline(box, ColourRole::kBorder, 4.0f);
+  ui.text(box, words, {.weight = Weight::kSemibold, .align = Align::kCentre});
+  ui.shows(id, box, words);
+}
+
 double rulerStep(double framesPerPixel, double frameRate, double least) {
   const double wanted = framesPerPixel * least;
   for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
@@ -383,8 +322,8 @@ void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraph
   // Where it is low, the rows give what they can to the strip.
   const bool low = rect.height < ui.px(kLowTimeline);
   const Rect row{rect.x + ui.px(8), rect.y + ui.px(6), rect.width - ui.px(16), ui.px(22)};
-  transport(ui, row, session, graphs, view, actions);
-  Track track;
+  timelineTransport(ui, row, session, graphs, view, actions);
+  TimelineTrack track;
   track.left = rect.x + ui.px(18);
   track.right = std::max(track.left + 1.0f, rect.right() - ui.px(18));
   track.frames = session.evaluation().frameCount();
@@ -400,10 +339,11 @@ void timelinePanel(Ui& ui, const Rect& rect, const Session& session, FlightGraph
   view.cache.follow(session.evaluation(), track.framesPerPixel);
   sections(ui, bars, track, session, view, actions);
   const Rect markRow{track.left - ui.px(8), bars.bottom() + ui.px(1), width + ui.px(16), ui.px(12)};
-  marks(ui, markRow, track, session, view, actions);
+  timelineMarksRow(ui, markRow, bars, track, session, view, actions);
   const Rect stripRow{track.left, markRow.bottom() + ui.px(2), width,
                       rect.bottom() - ui.px(low ? 6 : 8) - markRow.bottom() - ui.px(2)};
-  strip(ui, stripRow, track, graphs);
+  timelineStrip(ui, stripRow, track, session, graphs);
+  playRange(ui, rulerRow, bars, track, session);
   playhead(ui, {rulerRow.x - ui.px(8), rulerRow.y, rulerRow.width + ui.px(16), rulerRow.height},
            std::max(markRow.bottom(), stripRow.bottom()), track, session, view, actions);
 }

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "edit/mark_edits.hpp"
 #include "edit/session.hpp"
 #include "edit/timeline_marks.hpp"
 #include "panels/actions.hpp"
@@ -30,6 +31,17 @@ struct TimelineView {
     bool previewed = false;
   };
   std::optional<EndDrag> end;
+  // A mark that was pressed.
+  struct MarkDrag {
+    OrientationPlace place;
+    std::optional<MarkNeighbours> neighbours;  // nothing for a fixed one
+    std::int64_t frame = 0;                    // its own at the press
+    std::int64_t by = 0;                       // it is moved by so many frames
+    double grip = 0.0;                         // frames from the pointer to it at the press
+    float pressed = 0.0f;                      // where
+    bool moves = false;                        // else it may still be a click
+  };
+  std::optional<MarkDrag> mark;
   TimelineCache cache;
 };
 

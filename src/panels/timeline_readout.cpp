@@ -6,12 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
+#include "edit/time_text.hpp"
 #include "panels/quantities.hpp"
 
 namespace vides {
 namespace {
+
+constexpr float kInset = 6.0f;  // of a number in its field
 
 // What the row gives up, one after the other, until all fits.
 enum GivenUp {
@@ -26,12 +30,14 @@ enum GivenUp {
   kLegend
 };
 
-// A text, right-aligned in the room that it keeps at least.
+// A text, right-aligned in the room that it keeps at least; or a field in its place.
 struct Piece {
+  enum class Field { kNone, kFrame, kTime };
   std::string words;
   ColourRole colour = ColourRole::kTextSecondary;
   Weight weight = Weight::kRegular;
   float room = 0.0f;
+  Field field = Field::kNone;
 };
 
 float widthOf(const Ui& ui, const Piece& piece) {
@@ -44,36 +50,62 @@ float widthOf(const Ui& ui, const std::vector<Piece>& pieces) {
   return all;
 }
 
-void draw(Ui& ui, const Rect& row, float x, const std::vector<Piece>& pieces) {
+void draw(Ui& ui, const Rect& row, float x, const std::vector<Piece>& pieces,
+          const std::function<void(const Piece&, const Rect&)>& field = {}) {
   for (const Piece& piece : pieces) {
     const Rect box{x, row.y, widthOf(ui, piece), row.height};
-    ui.text(box, piece.words,
-            {.colour = piece.colour, .weight = piece.weight, .align = Align::kRight});
+    if (piece.field != Piece::Field::kNone) {
+      field(piece, box);
+    } else {
+      ui.text(box, piece.words,
+              {.colour = piece.colour, .weight = piece.weight, .align = Align::kRight});
+    }
     x = box.right();
+  }
+}
+
+void frameField(Ui& ui, const Rect& box, const Session& session, Actions& actions) {
+  const auto typed = ui.field("timeline/frame", box, static_cast<double>(session.frame()),
+                              {.decimals = 0, .weight = Weight::kSemibold});
+  actions.typed(
+      typed, [](double frame) { return Command("go-to-frame", std::max(0.0, std::round(frame))); });
+}
+
+void timeField(Ui& ui, const Rect& box, const std::string& words, const Session& session,
+               Actions& actions) {
+  const auto typed = ui.textField("timeline/time", box, words);
+  if (!typed) return;
+  if (const auto seconds = parseTime(*typed)) {
+    const double frame = std::round(*seconds * session.flight().frameRate);
+    actions.run(Command("go-to-frame", std::min(frame, 9e15)));
+  } else {
+    actions.refusal = Text("refusal.no-time", {*typed});
   }
 }
 
 std::vector<Piece> frameAndTime(const Ui& ui, const Session& session, int givenUp) {
   const double fps = session.flight().frameRate;
   const std::int64_t frames = session.evaluation().frameCount();
-  const std::string last = grouped(ui, frames - 1), number = grouped(ui, session.frame());
+  const std::string last = grouped(ui, frames - 1);
+  const float inset = 2.0f * ui.px(kInset);
   std::string word;
   if (givenUp < kFrameWord) word = ui.words("frame_title") + " ";
   if (givenUp == kFrameWord) word = ui.words("frame_title#short") + " ";
-  // What a short number leaves of its room stands before the word, not as a hole behind it.
-  const float spare =
-      ui.textWidth(last, Weight::kSemibold) - ui.textWidth(number, Weight::kSemibold);
   std::vector<Piece> pieces;
-  pieces.push_back({.words = word, .room = ui.textWidth(word) + spare});
-  pieces.push_back({number, ColourRole::kText, Weight::kSemibold});
+  pieces.push_back({.words = word});
+  pieces.push_back({.words = {},
+                    .room = ui.textWidth(last, Weight::kSemibold) + inset,
+                    .field = Piece::Field::kFrame});
   if (givenUp < kFrameCount)
     pieces.push_back({fmt::format(" {} {}", ui.words("of"), frameNumbers(ui, 0, frames - 1))});
   const std::string point = "  \u00b7  ";
   if (givenUp < kTime) {
     const double span = static_cast<double>(frames) / fps;
     const double time = static_cast<double>(session.frame()) / fps;
-    pieces.push_back({point});
-    pieces.push_back({paddedTime(ui, time, span, 2), ColourRole::kText, Weight::kSemibold});
+    pieces.push_back({"  "});
+    const std::string now = paddedTime(ui, time, span, 2);
+    pieces.push_back(
+        {.words = now, .room = ui.textWidth(now) + inset, .field = Piece::Field::kTime});
   }
   if (givenUp < kFrameRate) {
     pieces.push_back({point + frameRateText(ui, fps)});
@@ -149,7 +181,12 @@ struct Legend {
 
 }  // namespace
 
-void timelineReadout(Ui& ui, const Rect& row, const Session& session, const FlightGraphs& graphs) {
+void timelineReadout(Ui& ui, const Rect& row, const Session& session, const FlightGraphs& graphs,
+                     Actions& actions) {
+  const auto field = [&](const Piece& piece, const Rect& box) {
+    if (piece.field == Piece::Field::kFrame) return frameField(ui, box, session, actions);
+    timeField(ui, box, piece.words, session, actions);
+  };
   for (int givenUp = kNothing; givenUp <= kLegend; ++givenUp) {
     const std::vector<Piece> left = frameAndTime(ui, session, givenUp);
     Legend legend{{}, givenUp};
@@ -157,7 +194,7 @@ void timelineReadout(Ui& ui, const Rect& row, const Session& session, const Flig
     const float right = legend.width(ui);
     const float gap = legend.shown.empty() ? 0.0f : ui.px(16);
     if (givenUp < kLegend && widthOf(ui, left) + gap + right > row.width) continue;
-    draw(ui, row, row.x, left);
+    draw(ui, row, row.x, left, field);
     legend.draw(ui, row);
     return;
   }

@@ -226,6 +226,10 @@ class Ui {
   // Tells the registry of a text that takes effect while it is typed.
   void entry(std::string_view id, const Rect& rect, std::string_view label, std::string_view value);
 
+  // A tooltip of the caller's words about a part of an area under the pointer; `what` tells the
+  // parts apart. The area itself has none then.
+  void tells(std::string_view what, const Rect& about, const std::string& words);
+
   // Tells the registry of a text that is only shown.
   void shows(std::string_view id, const Rect& rect, std::string_view value);
 

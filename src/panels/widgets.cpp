@@ -117,6 +117,10 @@ void Ui::tooltip(std::string_view id, const Rect& about, const Press& press,
   ImGui::PopStyleVar();
 }
 
+void Ui::tells(std::string_view what, const Rect& about, const std::string& words) {
+  tooltip(what, about, {true, false, false}, {.tooltip = words});
+}
+
 void Ui::edge(const Rect& rect) {
   if (theme()[ColourRole::kEdge] == theme()[ColourRole::kControl]) return;
   outline(rect, ColourRole::kEdge, 3.0f);

@@ -55,7 +55,7 @@ void ViewportContext::addLabel(DrawText text, const LabelPlacer::Place& place, c
     }
   }
   // What is current stands out from the scene, too, of which labels know nothing.
-  text.haloed = place.covers || needed;
+  text.haloed = place.covers || needed || !input.scenes.empty();
   if (needed && crowded) {
     const PixelRectangle& r = view().pixels();
     const double down = std::clamp((text.pixel.y + 0.5 * size.y - r.y) / r.height, 0.0, 1.0);

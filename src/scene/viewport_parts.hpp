@@ -138,6 +138,23 @@ class AimPart {
   GeometrySlot aimLine_, aimRing_, edgeRing_, upLine_, upRing_, circle_;
 };
 
+// The current key's other orientations.
+class OtherOrientationsPart {
+ public:
+  // Before what is current; then handles and numbers behind those of what is current.
+  void add(const ViewportContext& context);
+  void addNumbers(const ViewportContext& context);
+
+ private:
+  struct Mark {
+    std::size_t orientation;
+    Vec2 pixel;   // of the aim, or at the picture's edge
+    bool inside;  // the picture
+  };
+  std::vector<Mark> marks_;  // of the last add()
+  GeometrySlot aims_, ups_, rings_;
+};
+
 // The curve's tangents at the current key.
 class TangentsPart {
  public:

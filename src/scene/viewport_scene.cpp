@@ -32,6 +32,7 @@ struct ViewportScene::Parts {
   CurvePart curve;
   KeysPart keys;
   TangentsPart tangents;
+  OtherOrientationsPart others;
   AimPart aim;
   CamerasPart cameras;
   ScenePart scenes;
@@ -89,7 +90,9 @@ const DrawList& ViewportScene::build(const ViewportInput& input) {
   }
   p.drag.addSquares(context);
   p.tangents.add(context);
+  p.others.add(context);
   p.aim.add(context);
+  p.others.addNumbers(context);
   if (!context.crowded) p.keys.addCrosses(context);
   p.keys.addMarks(context);
   p.keys.addNumbers(context);

@@ -35,6 +35,35 @@ TEST(TimelineMarks, EveryOrientationOfASmallFlight) {
   EXPECT_EQ(part[1].frame, marks[2].frame);
 }
 
+// A section in which nothing differs has no frames: its mark is that of the frame.
+TEST(TimelineMarks, SectionsWithoutFramesAreTold) {
+  Session session;
+  makeFive(session);
+  const auto silent = [&] {
+    const double frames = static_cast<double>(session.evaluation().frameCount() - 1);
+    std::string keys;
+    for (const TimelineMark& mark :
+         timelineMarks(session.evaluation(), {0.0, frames / 1000.0, 1000.0})) {
+      if (mark.silent) keys += std::to_string(mark.place.key);
+    }
+    return keys;
+  };
+  EXPECT_EQ(silent(), "");
+  for (const int key : {0, 2, 4}) {  // the first, one within, the last
+    run(session, "select-key " + std::to_string(key));
+    run(session, "insert-orientation");
+  }
+  EXPECT_EQ(silent(), "024");
+  run(session, "select-key 2");
+  run(session, "set-hold 1");  // a hold between doesn't hide it
+  EXPECT_EQ(silent(), "024");
+  run(session, "set-closed on");
+  EXPECT_EQ(silent(), "024");
+  run(session, "make-current 2 1");
+  run(session, "set-roll 20");
+  EXPECT_EQ(silent(), "04");
+}
+
 TEST(TimelineMarks, NoMoreThanPixelsInALargeFlight) {
   Flight flight = newFlight();
   std::vector<KeyPointer> keys;

@@ -999,5 +999,42 @@ TEST(ViewportScene, TangentsAtTheCurrentKey) {
   EXPECT_EQ(tips(scene.build(input)).size(), 0u);
 }
 
+// Dim, with their numbers, and each can be taken hold of; those that look at one place share a
+// label, and where all look at the current aim it stands beside that.
+TEST(ViewportScene, TheCurrentKeysOtherOrientationsAreDrawn) {
+  Flight flight = sixKeys();
+  Key key = flight.keys[2];
+  for (const Vec3& aim : {Vec3(0.3, -0.4, 0.2), Vec3(0.3, -0.4, 0.2), Vec3(0, 0.5, 0)}) {
+    Orientation orientation = key.orientations.front();
+    orientation.aim = aim;
+    key.orientations.push_back(orientation);
+  }
+  flight.keys.set(2, key);
+  ViewportInput input = inputOf(flight);
+  input.state.current = {2, 0};
+  input.shown.numbers = false;
+  ViewportScene scene;
+  const auto numbers = [&] {
+    std::multiset<std::string> texts;
+    for (const DrawText& text : scene.build(input).texts) texts.insert(text.text);
+    return texts;
+  };
+  EXPECT_EQ(numbers(), (std::multiset<std::string>{"VUP", "aim", "2, 3", "4"}));
+  const auto aims = handlesOf(scene.build(input), HandleKind::kAim);
+  ASSERT_EQ(aims.size(), 4u);
+  EXPECT_EQ(aims[0].id.orientation, 0u);
+  const DrawList& list = scene.build(input);
+  // At one place the current one is taken.
+  EXPECT_EQ(handleAt(list, aims[0].pixel, 2, 1.0)->orientation, 0u);
+  EXPECT_EQ(handleAt(list, *list.view.project({0.3, -0.4, 0.2}), 2, 1.0)->orientation, 1u);
+  input.state.current = {2, 2};
+  EXPECT_EQ(numbers(), (std::multiset<std::string>{"VUP", "aim", "1, 4", "2"}));
+  input.shown.aim = false;
+  EXPECT_EQ(numbers(), (std::multiset<std::string>{"VUP"}));
+  input.shown.aim = true;
+  input.state.current = {1, 0};  // a key with one orientation
+  EXPECT_EQ(numbers(), (std::multiset<std::string>{"VUP", "aim"}));
+}
+
 }  // namespace
 }  // namespace vides
