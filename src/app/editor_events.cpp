@@ -86,16 +86,28 @@ bool Editor::Parts::notice(const InputEvent& event) {
   } else if (const auto* key = std::get_if<KeyChanged>(&event)) {
     modifiers = key->modifiers;
     keyChanged(*key);
-  } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
-    for (const std::string& path : dropped->paths) {
-      run(Command(path.ends_with(".vid") ? "open" : "import-scene", path));
-    }
+  } else if (const auto* files = std::get_if<FilesDropped>(&event)) {
+    dropped.insert(dropped.end(), files->paths.begin(), files->paths.end());
+    takeDropped();
   } else if (std::holds_alternative<CloseRequested>(event)) {
     run(Command("quit"));
   } else if (const auto* focus = std::get_if<FocusChanged>(&event)) {
     focusChanged(focus->focused);
   }
   return false;
+}
+
+// One after the other; what one of them asks is answered before the next.
+void Editor::Parts::takeDropped() {
+  while (!dropped.empty() && !session.question()) {
+    const std::string path = dropped.front();
+    dropped.erase(dropped.begin());
+    if (path.ends_with(".vid")) {
+      run(Command("open", path));
+    } else {
+      run(Command("import-scene", path, "ask"));
+    }
+  }
 }
 
 void Editor::Parts::buttonChanged(const ButtonChanged& change) {

@@ -49,7 +49,7 @@ struct Editor::Parts {
   Session session;
   std::optional<ImguiRenderer> imguiRenderer;
   std::unique_ptr<FlightPictures> pictures;
-  std::vector<SharedDrawable> scenes;  // of both pictures, as far as they have been read
+  std::vector<PlacedScene> scenes;  // of both pictures, as far as they have been read
   FlightGraphs graphs;
 
   double scale = 0.0;  // 0 before the first frame
@@ -74,6 +74,7 @@ struct Editor::Parts {
   bool overViewport = false;
   bool overCamera = false;
   PointerShape pointer = PointerShape::kArrow;
+  std::vector<std::string> dropped;  // files that wait for their turn
 
   std::optional<Glide> glide;
   double time = 0.0;
@@ -96,6 +97,7 @@ struct Editor::Parts {
   void pointerMoved();
   bool wheelTurned(const WheelTurned& wheel);
   void focusChanged(bool focused);
+  void takeDropped();
   void buttonChanged(const ButtonChanged& change);
   ViewportPlace viewportPlace();
   ViewProjection filmView() const;

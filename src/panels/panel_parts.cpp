@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "panels/left_panels.hpp"
+#include "panels/quantities.hpp"
 #include "panels/windows.hpp"
 
 namespace vides {
@@ -79,19 +80,20 @@ int fittingDecimals(const Ui& ui, const Rect& box, double value, int most) {
 }
 
 std::optional<Command> vectorFields(Ui& ui, const std::string& prefix, const Rect (&boxes)[3],
-                                    const Vec3& shownAt, Actions& actions,
+                                    const Vec3& shownAt, const Vec3& base, Actions& actions,
                                     const std::function<Command(const Vec3&)>& command) {
   std::optional<Command> result;
   // All three with as many decimals if they can, and as many when one of them changes its sign.
   int decimals = 3;
   for (int axis = 0; axis < 3; ++axis) {
-    decimals =
-        std::min(decimals, fittingDecimals(ui, boxes[axis], -std::abs(shownAt[axis]), decimals));
+    decimals = std::min(decimals, fittingDecimals(ui, boxes[axis],
+                                                  -std::abs(shownAt[axis] - base[axis]), decimals));
   }
   for (int axis = 0; axis < 3; ++axis) {
     const Rect& box = boxes[axis];
-    const auto typed = ui.field(prefix + "xyz" [axis], box, shownAt[axis],
-                                { .decimals = decimals, .weight = Weight::kSemibold });
+    const auto typed = ui.field(prefix + "xyz" [axis], box, shownAt[axis], {
+      .decimals = decimals, .weight = Weight::kSemibold, .base = base[axis]
+    });
     if (typed.refused) actions.noNumber = typed.refused;
     if (!typed.value) continue;
     Vec3 at = shownAt;
@@ -109,7 +111,7 @@ std::optional<Command> positionFields(Ui& ui, std::string_view area, const Rect 
   const Space& space = session.flight().space;
   const Vec3& place = session.currentKey().position;
   return vectorFields(ui, std::string(area) + '/', boxes, scene ? space.toWorld(place) : place,
-                      actions, [&](const Vec3& at) {
+                      farCentre(session).value_or(Vec3(0.0)), actions, [&](const Vec3& at) {
                         return Command("move-key", session.current().key,
                                        scene ? space.toCube(at) : at);
                       });
@@ -128,13 +130,13 @@ std::optional<Command> aimFields(Ui& ui, std::string_view area, const Rect (&box
   const auto toCube = [&](const Vec3& v) {
     return !scene ? v : relative ? v / space.halfSize : space.toCube(v);
   };
-  return vectorFields(ui, std::string(area) + "/aim_", boxes, toUnits(orientation.aim), actions,
-                      [&](const Vec3& at) {
-                        // The command takes the point, whatever the mode.
-                        const Vec3 cube = toCube(at);
-                        return Command("set-aim",
-                                       relative ? session.currentKey().position + cube : cube);
-                      });
+  return vectorFields(
+      ui, std::string(area) + "/aim_", boxes, toUnits(orientation.aim),
+      relative ? Vec3(0.0) : farCentre(session).value_or(Vec3(0.0)), actions, [&](const Vec3& at) {
+        // The command takes the point, whatever the mode.
+        const Vec3 cube = toCube(at);
+        return Command("set-aim", relative ? session.currentKey().position + cube : cube);
+      });
 }
 
 }  // namespace vides

@@ -174,8 +174,9 @@ bool Ui::enterPressed() const {
 
 bool Ui::iconButton(std::string_view id, const Rect& rect, Icon which, const ButtonStyle& style) {
   const Press state = press(id, rect, WidgetKind::kButton, style.enabled);
-  registerWidget(id, words(id), style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
-                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "", tip(id, style));
+  registerWidget(id, style.label.empty() ? words(id) : style.label,
+                 style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect, style.enabled,
+                 style.toggle ? (style.on ? "on" : "off") : "", tip(id, style));
   ground(rect, state, style);
   icon(which, rect, style.enabled ? ColourRole::kText : ColourRole::kTextDisabled);
   tooltip(id, rect, state, style);
@@ -241,8 +242,9 @@ bool Ui::choiceRow(std::string_view id, const Rect& rect, std::string_view label
 
 bool Ui::pictureButton(std::string_view id, const Rect& rect, const ButtonStyle& style) {
   const Press state = press(id, rect, WidgetKind::kButton, style.enabled);
-  registerWidget(id, words(id), style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
-                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
+  registerWidget(id, style.label.empty() ? words(id) : style.label,
+                 style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect, style.enabled,
+                 style.toggle ? (style.on ? "on" : "off") : "", tip(id, style));
   ground(rect, state, style);
   tooltip(id, rect, state, style);
   return state.pressed;
@@ -305,13 +307,13 @@ Ui::Typed Ui::typeNumber(std::string_view id, const Rect& rect) {
 }
 
 Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const FieldStyle& style) {
-  const std::string shownValue = number(value, style.decimals);
+  const std::string shownValue = number(value - style.base, style.decimals);
   const bool hovered = over(rect);
   const bool takesText = style.enabled && !style.readOnly;
   registerWidget(id, words(id), style.readOnly ? WidgetKind::kText : WidgetKind::kField, rect,
                  style.enabled, shownValue, tip(id));
   if (setting_.memory.editing != id && takesText && hovered && ImGui::IsMouseClicked(0)) {
-    startTyping(id, shownValue);
+    startTyping(id, number(value, style.decimals));
   }
   if (setting_.memory.editing == id) return typeNumber(id, rect);
   ImGui::ItemAdd(rectangle(rect), idOf(id));
@@ -333,7 +335,8 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
   const float inset = fits(px(4)) ? px(4) : kTightInset * scale();
   int decimals = style.decimals;
   const auto shorten = [&](int least) {
-    while (decimals > least && !fits(inset)) tail = number(value, --decimals) + style.suffix;
+    while (decimals > least && !fits(inset))
+      tail = number(value - style.base, --decimals) + style.suffix;
   };
   shorten(2);
   if (!fits(inset)) words = 0.0f;
@@ -351,7 +354,9 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
         .weight = style.weight,
         .align = Align::kRight,
         .mayShorten = true});
-  tooltip(id, rect, {.hovered = hovered, .held = false, .pressed = false});
+  const bool whole = style.base == 0.0;
+  tooltip(id, rect, {.hovered = hovered, .held = false, .pressed = false},
+          {.tooltip = whole ? std::string() : number(value, style.decimals)});
   return {};
 }
 

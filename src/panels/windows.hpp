@@ -26,7 +26,7 @@ struct WindowsMemory {
   ChooserMemory chooser;
   ShapeWindowMemory shape;
   SettingsMemory settings;
-  WindowPlace flight, frames;
+  WindowPlace flight, frames, scene;
   SpeedWindowMemory speed;
 };
 
