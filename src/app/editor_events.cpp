@@ -100,9 +100,9 @@ bool Editor::Parts::notice(const InputEvent& event) {
   return false;
 }
 
-// One after the other; what one of them asks is answered before the next.
+// One after the other; what one of them asks is answered before the next, and a drag ends first.
 void Editor::Parts::takeDropped() {
-  while (!dropped.empty() && !session.question()) {
+  while (!dropped.empty() && !session.question() && !dragging()) {
     const std::string path = dropped.front();
     dropped.erase(dropped.begin());
     if (path.ends_with(".vid")) {

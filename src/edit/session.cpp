@@ -227,8 +227,8 @@ void Session::pushStep(Text name, const EditState& before, bool keepsPlayhead) {
   if (continues_) {
     history_.extend(state_.flight, state_.marks);
   } else {
-    history_.push({std::move(name), before.flight, state_.flight, before.marks, state_.marks,
-                   keepsPlayhead});
+    history_.push(
+        {std::move(name), before.flight, state_.flight, before.marks, state_.marks, keepsPlayhead});
   }
   updateModified();
 }

@@ -36,7 +36,7 @@ void axes(Ui& ui, const Rect& row, const ImportNote& note, UpAxis now, Actions& 
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const std::string axis(name(kUpAxes[i]));
     const Rect& box = boxes[i];
-    const float picture = box.width >= ui.px(40) ? ui.px(20) : 0.0f;
+    const float picture = box.width >= ui.px(44) ? ui.px(18) : 0.0f;
     const std::string id = "import/up_" + axis;
     const ButtonStyle style{.on = kUpAxes[i] == now,
                             .toggle = true,
@@ -45,9 +45,10 @@ void axes(Ui& ui, const Rect& row, const ImportNote& note, UpAxis now, Actions& 
     if (ui.pictureButton(id, box, style)) {
       actions.run(Command("set-scene-up", note.scene, axis));
     }
-    const float left = box.x + (box.width - picture - ui.px(14)) / 2;
+    const float gap = picture > 0.0f ? ui.px(5) : 0.0f;
+    const float left = box.x + std::round((box.width - picture - gap - ui.px(16)) / 2);
     if (picture > 0.0f) axisPicture(ui, {left, box.y, picture, box.height}, kUpAxes[i]);
-    ui.text({left + picture, box.y, ui.px(16), box.height}, style.label,
+    ui.text({left + picture + gap, box.y, ui.px(16), box.height}, style.label,
             {.weight = style.on ? Weight::kSemibold : Weight::kRegular, .align = Align::kCentre});
   }
 }

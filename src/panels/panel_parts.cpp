@@ -91,7 +91,8 @@ void coordinateFields(Ui& ui, const Coordinates& coordinates, const Rect (&boxes
   const auto which = [&](int axis) {
     return static_cast<KeyValue>(static_cast<int>(coordinates.first) + axis);
   };
-  // A relative aim is an offset: the centre doesn't move it.
+  // Far from the origin places are shown from the space's centre; the offset of a relative aim
+  // isn't.
   const bool offset = coordinates.first == KeyValue::kAimX &&
                       session.currentOrientation().aimMode == AimMode::kRelative;
   const Vec3 base = offset ? Vec3(0.0) : farCentre(session).value_or(Vec3(0.0));
@@ -100,8 +101,8 @@ void coordinateFields(Ui& ui, const Coordinates& coordinates, const Rect (&boxes
   int decimals = 3;
   for (int axis = 0; axis < 3; ++axis) {
     shownAt[axis] = valueOf(session.state(), session.current().key, which(axis), units);
-    decimals = std::min(decimals, fittingDecimals(ui, boxes[axis],
-                                                  -std::abs(shownAt[axis] - base[axis]), decimals));
+    const double shown = -std::abs(shownAt[axis] - base[axis]);
+    decimals = std::min(decimals, fittingDecimals(ui, boxes[axis], shown, decimals));
   }
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name(1, "xyz"[axis]);

@@ -127,10 +127,6 @@ SharedReading SceneStore::readingOf(const fs::path& file) const {
 void SceneStore::readAgain(const fs::path& file) {
   Known* const known = find(file);
   if (known == nullptr) return;
-  if (known->reading && !known->reading->ended()) {
-    known->reading->cancel();
-    leaving_.push_back(std::move(known->reading));
-  }
   *known = {file, stampOf(file), nullptr, false};
 }
 
