@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Zoom: the current orientation's, with focal length and horizontal field of view.
+#include <algorithm>
 #include <cmath>
 
 #include "panels/left_panels.hpp"
@@ -69,9 +70,10 @@ void zoomPanel(Ui& ui, Stack& column, float bottom, const Session& session, Acti
       // Beside the heading.
       const float width = std::round(column.width() * 0.8f);
       const Rect heading{column.x() + column.width() - ui.px(8) - width, top + ui.tall(4), width,
-                         ui.px(24)};
-      lensRow(ui, {heading.x, heading.y + ui.px(2), width, ui.px(kHeadingFields)}, session,
-              actions);
+                         ui.tall(24)};
+      const float height = std::min(ui.px(kHeadingFields), heading.height);
+      const float y = heading.y + std::floor(0.5f * (heading.height - height));
+      lensRow(ui, {heading.x, y, width, height}, session, actions);
     } else {
       rows.gap(4);
       lensRow(ui, rows.row(kFields), session, actions);

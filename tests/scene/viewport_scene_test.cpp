@@ -1012,7 +1012,7 @@ TEST(ViewportScene, TheCurrentKeysOtherOrientationsAreDrawn) {
   flight.keys.set(2, key);
   ViewportInput input = inputOf(flight);
   input.state.current = {2, 0};
-  input.shown.numbers = false;
+  input.shown.numbers = input.shown.axes = false;
   ViewportScene scene;
   const auto numbers = [&] {
     std::multiset<std::string> texts;
