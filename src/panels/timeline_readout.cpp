@@ -55,7 +55,8 @@ void draw(Ui& ui, const Rect& row, float x, const std::vector<Piece>& pieces,
   for (const Piece& piece : pieces) {
     const Rect box{x, row.y, widthOf(ui, piece), row.height};
     if (piece.field != Piece::Field::kNone) {
-      field(piece, box);
+      // Fields stand on whole pixels, so that their edges are sharp.
+      field(piece, {std::round(x), row.y, std::floor(box.width), row.height});
     } else {
       ui.text(box, piece.words,
               {.colour = piece.colour, .weight = piece.weight, .align = Align::kRight});
