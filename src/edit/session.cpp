@@ -100,12 +100,10 @@ bool Session::execute(std::string_view line) {
 bool Session::execute(const Command& command, bool continues) {
   if (auto checked = checkArguments(command); !checked) return refuse(checked.error());
   if (auto why = obstacle(command)) return refuse(std::move(*why));
-  const std::size_t revision = history_.revision();
-  continues_ = continues && run_ == revision;
+  continues_ = continues && run_ == history_.revision();
   if (!continues_) run_.reset();
   const auto done = run(command);
   continues_ = false;
-  if (history_.revision() != revision) run_ = history_.revision();
   if (!gesture_) endGesture();
   if (done) {
     if (seams_.ran) seams_.ran(command);
@@ -224,6 +222,7 @@ void Session::pushStep(Text name, const EditState& before, bool keepsPlayhead) {
     history_.push({std::move(name), before.flight, state_.flight, before.marks, state_.marks,
                    keepsPlayhead});
   }
+  run_ = history_.revision();
   updateModified();
 }
 

@@ -57,6 +57,7 @@ TEST(Shortcuts, AsSpecified) {
                                                      {"l", "loop"},
                                                      {"escape", "escape"},
                                                      {"f1", "show-window shortcuts"},
+                                                     {"f10", "show-menu"},
                                                      {"f11", "full-screen"}};
   std::map<std::string, std::string> found;
   for (const Shortcut& shortcut : shortcutTable()) {
