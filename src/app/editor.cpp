@@ -312,6 +312,7 @@ FrameOutcome Editor::frameOrThrow(const FrameInput& given) {
     return p.outcome();
   }
   p.feed(io);
+  p.takeDropped();
   if (p.options.waitForWork) p.session.finishFrames();
   // What a panel asked for is on screen in the same display frame.
   if (p.pass(given)) {

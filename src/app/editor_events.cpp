@@ -89,16 +89,28 @@ bool Editor::Parts::notice(const InputEvent& event) {
     return keyChanged(*key);
   } else if (const auto* text = std::get_if<TextTyped>(&event)) {
     return typed(*text);
-  } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
-    for (const std::string& path : dropped->paths) {
-      ask(Command(path.ends_with(".vid") ? "open" : "import-scene", path));
-    }
+  } else if (const auto* files = std::get_if<FilesDropped>(&event)) {
+    dropped.insert(dropped.end(), files->paths.begin(), files->paths.end());
+    takeDropped();
   } else if (std::holds_alternative<CloseRequested>(event)) {
     ask(Command("quit"));
   } else if (const auto* focus = std::get_if<FocusChanged>(&event)) {
     focusChanged(focus->focused);
   }
   return false;
+}
+
+// One after the other; what one of them asks is answered before the next.
+void Editor::Parts::takeDropped() {
+  while (!dropped.empty() && !session.question()) {
+    const std::string path = dropped.front();
+    dropped.erase(dropped.begin());
+    if (path.ends_with(".vid")) {
+      ask(Command("open", path));
+    } else {
+      ask(Command("import-scene", path, "ask"));
+    }
+  }
 }
 
 void Editor::Parts::buttonChanged(const ButtonChanged& change) {

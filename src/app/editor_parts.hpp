@@ -50,7 +50,7 @@ struct Editor::Parts {
   Session session;
   std::optional<ImguiRenderer> imguiRenderer;
   std::unique_ptr<FlightPictures> pictures;
-  std::vector<SharedDrawable> scenes;  // of both pictures, as far as they have been read
+  std::vector<PlacedScene> scenes;  // of both pictures, as far as they have been read
   FlightGraphs graphs;
 
   double scale = 0.0;  // 0 before the first frame
@@ -76,6 +76,7 @@ struct Editor::Parts {
   bool overViewport = false;
   bool overCamera = false;
   PointerShape pointer = PointerShape::kArrow;
+  std::vector<std::string> dropped;  // files that wait for their turn
 
   // At the last press of a button: what a drag may change that is no part of the flight.
   struct Pressed {
@@ -105,6 +106,7 @@ struct Editor::Parts {
   void pointerMoved();
   bool wheelTurned(const WheelTurned& wheel);
   void focusChanged(bool focused);
+  void takeDropped();
   void buttonChanged(const ButtonChanged& change);
   ViewportPlace viewportPlace();
   ViewProjection filmView() const;

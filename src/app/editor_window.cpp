@@ -7,8 +7,10 @@
 
 #include "app/editor_parts.hpp"
 #include "panels/column_layout.hpp"
+#include "panels/import_note.hpp"
 #include "panels/menu_bar.hpp"
 #include "panels/note_place.hpp"
+#include "panels/quantities.hpp"
 #include "panels/right_panels.hpp"
 #include "panels/viewport_panel.hpp"
 #include "panels/windows.hpp"
@@ -126,7 +128,16 @@ void Editor::Parts::viewportArea(Ui& ui, const Rect& rect, Actions& actions) {
               ColourRole::kViewportTop, 3.0f, kPlate);
       ui.text(caption.box, caption.words, {.colour = ColourRole::kTextSecondary});
     }
+    if (const auto centre = farCentre(session)) {
+      const std::string told = ui.tell(Text("view.centre", {centreWords(ui, *centre)}));
+      const Rect box{rect.x + ui.px(14), rect.y + ui.px(28),
+                     std::min(ui.textWidth(told), rect.width - ui.px(28)), ui.px(18)};
+      ui.text(box, told, {.colour = ColourRole::kTextSecondary, .mayShorten = true});
+      ui.shows("view/centre", box, told);
+    }
+    const float signs = ui.px(44);
     readingSign(ui, rect, session, actions);
+    importNote(ui, rect, session.reading() ? signs + ui.px(48) : signs, session, actions);
     pictureArea(ui, rect, film, false);
   });
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kRimOpacity = 200;  // of 255
 
-using Scenes = std::vector<SharedDrawable>;
+using Scenes = std::vector<PlacedScene>;
 
 PixelRectangle pixels(const Rect& rect) {
   return {static_cast<double>(rect.x), static_cast<double>(rect.y),

@@ -28,10 +28,10 @@ class FlightPictures {
 
   // The flight from outside, or, with camera view and viewport swapped, what the camera sees.
   void viewport(const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
-                const std::vector<SharedDrawable>& scenes, const ViewportState& state);
+                const std::vector<PlacedScene>& scenes, const ViewportState& state);
   // The other one, in the column.
   void camera(const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
-              const std::vector<SharedDrawable>& scenes, const ViewportState& state);
+              const std::vector<PlacedScene>& scenes, const ViewportState& state);
   // Before the lists are drawn: the size of the framebuffer in pixels.
   void prepare(int width, int height);
 
@@ -54,7 +54,7 @@ class FlightPictures {
  private:
   explicit FlightPictures(SceneRenderer renderer) : renderer_(std::move(renderer)) {}
   void add(bool film, const Ui& ui, ImDrawList& list, const Rect& rect, const Session& session,
-           const std::vector<SharedDrawable>& scenes, const ViewportState& state);
+           const std::vector<PlacedScene>& scenes, const ViewportState& state);
   template <const DrawList* FlightPictures::*kPicture>
   static void draw(const ImDrawList* list, const ImDrawCmd* command);
 

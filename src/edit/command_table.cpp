@@ -12,6 +12,7 @@
 #include "edit/mark_edits.hpp"
 #include "edit/orientation_edits.hpp"
 #include "edit/playback_speed.hpp"
+#include "edit/scene_edits.hpp"
 #include "edit/session.hpp"
 #include "edit/session_actions.hpp"
 
@@ -47,6 +48,7 @@ bool hasPath(const Session& s) { return !s.path().empty(); }
 bool hasFreeCamera(const Session& s) { return s.freeCamera().has_value(); }
 bool writesFrames(const Session& s) { return s.frameJob() != nullptr; }
 bool readsScenes(const Session& s) { return s.reading().has_value(); }
+bool hasImportNote(const Session& s) { return s.importNote().has_value(); }
 bool writesNothing(const Session& s) { return s.frameJob() == nullptr; }
 bool hasQuestion(const Session& s) { return s.question().has_value(); }
 bool hasShapeWindow(const Session& s) { return s.inWindow() && s.windowOpen("shape"); }
@@ -83,15 +85,33 @@ void addFileCommands(Table& t) {
   addExclusive(t, "quit", {}, Acts::quit);
   addAct(t, "answer",
          {choice("CHOICE", {"save", "discard", "overwrite", "save-as", "enlarge", "recover",
-                            "forget", "later", "stop", "cancel"})},
+                            "forget", "later", "stop", "again", "replace", "cancel"})},
          Acts::answer, hasQuestion);
-  addExclusive(t, "import-scene", {optional(text("FILE"))}, Acts::importScene);
-  addEdit(t, "add-scene",
-          {text("FILE"), optional(number("LOW_X")), number("LOW_Y"), number("LOW_Z"),
-           number("HIGH_X"), number("HIGH_Y"), number("HIGH_Z")},
-          addSceneEdit);
+}
+
+std::vector<std::string> upChoices() {
+  std::vector<std::string> names;
+  for (const UpAxis axis : kUpAxes) names.emplace_back(name(axis));
+  return names;
+}
+
+void addSceneCommands(Table& t) {
+  // "ask": before a file that the flight has already is imported once more.
+  addExclusive(t, "import-scene", {optional(text("FILE")), optional(choice("ask", {"ask"}))},
+               Acts::importScene);
+  addEdit(
+      t, "add-scene",
+      {text("FILE"), optional(number("LOW_X")), number("LOW_Y"), number("LOW_Z"), number("HIGH_X"),
+       number("HIGH_Y"), number("HIGH_Z"), optional(choice("UP", upChoices()))},
+      addSceneEdit);
   addAct(t, "cancel-reading", {}, Acts::cancelReading, readsScenes);
+  addExclusive(t, "fit-space", {number("SHARE")}, Acts::fitSpace);
+  addExclusive(t, "set-scene-up", {index("NUMBER"), choice("AXIS", upChoices())}, Acts::setSceneUp);
+  addEdit(t, "show-scene", {index("NUMBER"), onOff()}, showSceneEdit);
+  addExclusive(t, "reload-scene", {index("NUMBER")}, Acts::reloadScene);
+  addExclusive(t, "replace-scene", {index("NUMBER"), optional(text("FILE"))}, Acts::replaceScene);
   addEdit(t, "remove-scene", {index("NUMBER")}, removeSceneEdit);
+  addAct(t, "dismiss-import", {}, Acts::dismissImport, hasImportNote);
 }
 
 void addEditMenu(Table& t) {
@@ -271,14 +291,15 @@ void addFrameCommands(Table& t) {
 }
 
 void addDisplayCommands(Table& t) {
-  const std::vector<std::string> windows = {"shape",         "speed",
-                                            "flight",        "insert-keys",
-                                            "frames",        "settings",
-                                            "colours",       "shortcuts",
-                                            "about",         "chooser-open",
-                                            "chooser-save",  "chooser-import",
-                                            "chooser-setup", "chooser-save-setup",
-                                            "chooser-frames"};
+  const std::vector<std::string> windows = {"shape",          "speed",
+                                            "flight",         "insert-keys",
+                                            "frames",         "settings",
+                                            "colours",        "shortcuts",
+                                            "about",          "chooser-open",
+                                            "chooser-save",   "chooser-import",
+                                            "chooser-setup",  "chooser-save-setup",
+                                            "chooser-frames", "chooser-find",
+                                            "scene"};
   addAct(t, "show-element", {choice("ELEMENT", switchChoices()), onOff()}, Acts::showElement);
   addAct(t, "set-colour",
          {choice("ELEMENT", elementChoices()), index("RED"), index("GREEN"), index("BLUE")},
@@ -308,6 +329,7 @@ void addDisplayCommands(Table& t) {
 Table makeTable() {
   Table table;
   addFileCommands(table);
+  addSceneCommands(table);
   addEditMenu(table);
   addKeyCommands(table);
   addOrientationCommands(table);

@@ -26,6 +26,8 @@ struct Question {
     kRecover,        // choices recover, forget, later
     kFramesExist,    // choices overwrite, cancel
     kWritingFrames,  // choices stop, cancel; goes on by itself when they are written
+    kSceneAgain,     // choices again, cancel
+    kScenesFound,    // choices replace, cancel
   };
   Kind kind = Kind::kUnsaved;
   Text text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edits of shapes, settings, space and scene.
+// Edits of shapes, settings and space.
 #include "edit/flight_edits.hpp"
 
 #include <algorithm>
@@ -159,35 +159,6 @@ EditResult setSpaceEdit(const EditState& state, const Arguments& arguments) {
   auto flight = inSpace(state.flight, {arguments.point(0), arguments.number(3)});
   if (!flight) return tl::unexpected(flight.error());
   return changedFlight(state, "step.set-space", std::move(*flight));
-}
-
-EditResult addSceneEdit(const EditState& state, const Arguments& arguments) {
-  Flight flight = state.flight;
-  const bool first = flight.scene.empty() && flight.space == Space{};
-  SceneFile scene;
-  scene.file = arguments.text(0);
-  flight.scene.push_back(std::move(scene));
-  if (first && arguments.has(6)) {
-    const Vec3 low = arguments.point(1), high = arguments.point(4);
-    const Vec3 extent = high - low;
-    const double size = 0.5 * std::max({extent.x, extent.y, extent.z});
-    if (size < 0.0) return tl::unexpected(Text("refusal.scene-box"));
-    flight.space.center = 0.5 * (low + high);
-    // A scene that is a single point has no size to fit.
-    if (size > 0.0) flight.space.halfSize = size / 0.8;
-  }
-  return changedFlight(state, Text("step.add-scene", {arguments.text(0)}), std::move(flight));
-}
-
-EditResult removeSceneEdit(const EditState& state, const Arguments& arguments) {
-  const std::size_t index = arguments.index(0);
-  if (index >= state.flight.scene.size()) {
-    return tl::unexpected(Text("refusal.no-such-scene", {index + 1, state.flight.scene.size()}));
-  }
-  Flight flight = state.flight;
-  const std::string file = flight.scene[index].file;
-  flight.scene.erase(flight.scene.begin() + static_cast<std::ptrdiff_t>(index));
-  return changedFlight(state, Text("step.remove-scene", {file}), std::move(flight));
 }
 
 }  // namespace vides

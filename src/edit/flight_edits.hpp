@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edits of shapes, presets, the flight's settings, its space and its scene. Pure functions.
+// Edits of shapes, presets, the flight's settings and its space. Pure functions.
 #pragma once
 
 #include "edit/edit_state.hpp"
@@ -21,11 +21,6 @@ EditResult setRatesEdit(const EditState& state, const Arguments& arguments);
 EditResult setClosedEdit(const EditState& state, const Arguments& arguments);
 EditResult setOrientationCurveEdit(const EditState& state, const Arguments& arguments);
 EditResult setSpaceEdit(const EditState& state, const Arguments& arguments);
-
-// add-scene FILE [LOW HIGH]: the box in scene units, where it is known, is fitted to 80 % of the
-// cube if this is the first scene and `space` the default.
-EditResult addSceneEdit(const EditState& state, const Arguments& arguments);
-EditResult removeSceneEdit(const EditState& state, const Arguments& arguments);
 
 // The flight in another space: every world position and every frame stays. Refused where that would
 // push a key out of the cube.

@@ -10,7 +10,6 @@
 #include <vector>
 
 namespace vides {
-namespace {
 
 std::vector<std::string_view> tokensOf(std::string_view pointer) {
   std::vector<std::string_view> tokens;
@@ -28,6 +27,8 @@ std::optional<std::size_t> indexIn(std::string_view token) {
   if (error != std::errc() || end != token.data() + token.size()) return std::nullopt;
   return index;
 }
+
+namespace {
 
 // "position x", "speed 4", "zoom": a member, and which of its numbers.
 std::optional<Text> memberOf(const std::vector<std::string_view>& tokens, std::size_t from) {

@@ -8,6 +8,7 @@
 #include "edit/folder.hpp"
 #include "edit/frame_job.hpp"
 #include "edit/place_text.hpp"
+#include "edit/problem_units.hpp"
 #include "flight/validation.hpp"
 #include "io/vid_reader.hpp"
 
@@ -62,6 +63,8 @@ void Session::reset(Flight flight) {
   dialogue_.reset();  // it was about the flight before
   for (const Import& import : imports_) import.reading->cancel();
   imports_.clear();
+  importNote_.reset();
+  changedScenes_.clear();
   ++document_;
 }
 
@@ -162,7 +165,9 @@ std::optional<Text> Session::problemWith(const Flight& flight) const {
   for (const auto& change :
        KeyList::Sequence::changes(state_.flight.keys.sequence(), flight.keys.sequence())) {
     for (std::size_t k = change.first; k < change.newLast; ++k) {
-      if (const auto problem = checkKey(flight, k)) return refusalOf(*problem);
+      const auto problem = checkKey(flight, k);
+      if (!problem) continue;
+      return refusalOf(display_.units == Units::kScene ? inSceneUnits(*problem, flight) : *problem);
     }
   }
   return std::nullopt;
@@ -184,6 +189,7 @@ void Session::show(const Flight& flight, const Evaluation& evaluation, const Mar
     Vec3& place = freeCamera_->viewReferencePoint;
     place = flight.space.toCube(state_.flight.space.toWorld(place));
   }
+  if (importNote_ && !(flight == state_.flight)) importNote_.reset();
   state_.chosen.follow(state_.flight, flight);
   state_.flight = flight;
   state_.evaluation = evaluation;
@@ -387,7 +393,7 @@ Text Session::title() const {
 
 Setup Session::setup() const {
   const EditorView& view = view_.view;
-  Setup setup{display_, layout_, view.turn, view.tilt, view.size, false};
+  Setup setup{display_, layout_, view.turn, view.tilt, view.size, false, importUp_};
   setup.layout.bare = false;
   setup.perspective = view.type == ProjectionType::Perspective;
   return setup;
@@ -395,6 +401,7 @@ Setup Session::setup() const {
 
 void Session::setSetup(const Setup& setup) {
   display_ = setup.display;
+  importUp_ = setup.importUp;
   const bool bare = layout_.bare;
   layout_ = setup.layout;
   layout_.bare = bare;

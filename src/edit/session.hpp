@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,11 +27,13 @@
 #include "edit/layout.hpp"
 #include "edit/marks.hpp"
 #include "edit/playback.hpp"
+#include "edit/scene_rows.hpp"
 #include "edit/setup.hpp"
 #include "edit/text.hpp"
 #include "edit/view_state.hpp"
 #include "evaluate/evaluation.hpp"
 #include "flight/flight.hpp"
+#include "scene/scene_part.hpp"
 #include "scene/scene_store.hpp"
 
 namespace vides {
@@ -133,12 +136,20 @@ class Session {
   std::optional<RecoveryAnswer> takeRecoveryAnswer() {
     return std::exchange(recoveryAnswer_, std::nullopt);
   }
-  // The flight's scenes as far as they have been read: large ones come later. What can't be read is
-  // left out, and told once in the output line.
-  std::vector<SharedDrawable> scenes();
-  // Of each of them in the flight's order, as scenes() found them last: what came of reading it;
-  // null where that hasn't begun.
-  std::vector<SharedReading> sceneReadings() const { return scenes_.readings(); }
+  // The flight's visible scenes as far as they have been read: large ones come later. What can't be
+  // read is left out, and told once in the output line.
+  std::vector<PlacedScene> scenes();
+  // Of all that it names, in its order, as scenes() found them last: what came of reading it; null
+  // where that hasn't begun, and of hidden ones.
+  std::vector<SharedReading> sceneReadings() const;
+  // All that it names, as the Scene window lists them.
+  std::vector<SceneRow> sceneRows() const;
+  // Of what is drawn, in scene units; nothing where nothing is, or not yet.
+  std::optional<BoundingBox> sceneBox();
+  // What the last import offers; nothing after the next edit.
+  const std::optional<ImportNote>& importNote() const { return importNote_; }
+  // The row that the open chooser looks for a file for.
+  std::size_t soughtScene() const { return soughtScene_; }
   // What is being read, for scenes() or an import.
   struct Reading {
     std::string file;   // the name of the first one
@@ -146,7 +157,8 @@ class Session {
     double share;       // of them all, 0 to 1
   };
   std::optional<Reading> reading() const;
-  // Looks whether another program has changed or deleted the file, and tells so once.
+  // Looks whether another program has changed or deleted the file or one of its scenes, and tells
+  // so once. Nothing is read again.
   void checkDisk();
 
   // Current and selection.
@@ -176,6 +188,10 @@ class Session {
   // Output → Frames…: its settings, the whole path of its file, and the writing, null where nothing
   // is written. What came of it is told by the next advance() after it.
   const FrameOutput& frameOutput() const { return frameOutput_; }
+  // As they are written: where no space was chosen, in the units that are shown.
+  FrameOptions frameOptions() const;
+  // Why the last writing came to nothing; empty once it goes well or something else is chosen.
+  const Text& framesTrouble() const { return framesTrouble_; }
   std::string framesFile() const;
   const FrameJob* frameJob() const { return frameJob_.get(); }
   // Waits for the frames that are being written.
@@ -248,6 +264,12 @@ class Session {
   void reset(Flight flight);
   void collectFrames();
   void collectScenes();
+  void checkScenesOnDisk();
+  void followScenePaths();
+  bool namesScene(const std::filesystem::path& given);
+  // What is done to the document besides editing it (its scene paths change when the file moves) is
+  // done to every older state of it that somebody may go back to.
+  void rewriteHeld(const std::function<void(Flight&)>& change);
 
   SessionSeams seams_;
   EditState state_;
@@ -277,6 +299,7 @@ class Session {
   std::string ownClipboard_;
   FrameOutput frameOutput_;
   std::string framesWritten_;  // the file that was written last, overwritten again unasked
+  Text framesTrouble_;
   std::unique_ptr<FrameJob> frameJob_;
   SceneStore scenes_;
   struct Import {
@@ -284,11 +307,15 @@ class Session {
     std::string path;
   };
   std::vector<Import> imports_;  // the next one first
-  // Of the scenes that are shown: as the flight named them, from where, and the whole paths.
+  std::optional<ImportNote> importNote_;
+  std::size_t soughtScene_ = 0;  // whose file is sought
+  // Of the flight's scenes: as it named them, from where, and the whole paths.
   std::vector<SceneFile> sceneFiles_;
   std::string scenesFrom_;
   std::vector<std::filesystem::path> scenePaths_;
-  std::int64_t document_ = 0;  // another number with each New and Open
+  std::vector<std::filesystem::path> changedScenes_;  // on the disk, as was told
+  std::map<std::string, UpAxis> importUp_;            // chosen for a format, by its ending
+  std::int64_t document_ = 0;                         // another number with each New and Open
   bool quit_ = false;
   bool fullScreen_ = false;
 };

@@ -2,8 +2,10 @@
 // What commands do besides editing the flight: the functions behind the table of commands.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "edit/session.hpp"
@@ -48,6 +50,18 @@ struct SessionActions {
   static Result importScene(Session& session, const Arguments& arguments);
   static Result finishImport(Session& session, const Session::Import& import);
   static Result cancelReading(Session& session, const Arguments& arguments);
+  static Result setSceneUp(Session& session, const Arguments& arguments);
+  static Result fitSpace(Session& session, const Arguments& arguments);
+  static Result dismissImport(Session& session, const Arguments& arguments);
+  static Result reloadScene(Session& session, const Arguments& arguments);
+  static Result replaceScene(Session& session, const Arguments& arguments);
+  // Files that were found for scenes, by their rows.
+  using FoundScenes = std::vector<std::pair<std::size_t, std::string>>;
+  static Result replaceFound(Session& session, const FoundScenes& found);
+  static void offerFound(Session& session, const std::filesystem::path& folder);
+  // A file as the flight names it, and where that is.
+  static std::string sceneName(const Session& session, const std::string& path);
+  static std::filesystem::path sceneFile(const Session& session, const std::string& path);
 
   // The playhead.
   static Result play(Session& session, const Arguments& arguments);
@@ -128,6 +142,7 @@ struct SessionActions {
   static Result framesFirstNumber(Session& session, const Arguments& arguments);
   static Result framesFile(Session& session, const Arguments& arguments);
   static Result writeFrames(Session& session, const Arguments& arguments);
+  static Result checkedFrames(Session& session, const std::string& mayOverwrite);
   static Result cancelFrames(Session& session, const Arguments& arguments);
 
   // Parts of the above, without questions.

@@ -98,7 +98,7 @@ Result SessionActions::saveFile(Session& session, const std::string& path) {
   // The window goes on from what is saved.
   if (session.inWindow()) session.interruptWindow();
   if (moves) {
-    session.history_.rewrite([&](Flight& f) { moveScenePaths(f, from, path); });
+    session.rewriteHeld([&](Flight& f) { moveScenePaths(f, from, path); });
     session.state_.flight = flight;
     session.state_.evaluation = session.state_.evaluation.updated(flight);
   }
@@ -168,6 +168,7 @@ Result SessionActions::resetSetup(Session& session, const Arguments&) {
 }
 
 void Session::checkDisk() {
+  checkScenesOnDisk();
   const DiskState disk = file_.compare();
   missingOnDisk_ = disk == DiskState::kDeleted;
   if (disk == DiskState::kSame) {

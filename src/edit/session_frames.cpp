@@ -31,12 +31,20 @@ std::optional<Text> obstacleAt(const std::string& file, const std::string& fligh
 
 }  // namespace
 
+FrameOptions Session::frameOptions() const {
+  FrameOptions options = frameOutput_.options;
+  // A .chan has its own.
+  if (!options.space && display_.units == Units::kScene) options.space = FrameSpace::kWorld;
+  return options;
+}
+
 std::string Session::framesFile() const { return frameFile(frameOutput_, path(), "untitled"); }
 
 Result SessionActions::framesFormat(Session& session, const Arguments& arguments) {
   FrameOutput& output = session.frameOutput_;
   output.options.format = *frameFormat(arguments.text(0));  // checked before
   output.file = withEndingOf(output.file, output.options.format);
+  session.framesTrouble_ = {};
   return {};
 }
 
@@ -75,6 +83,7 @@ Result SessionActions::framesFirstNumber(Session& session, const Arguments& argu
 
 Result SessionActions::framesFile(Session& session, const Arguments& arguments) {
   session.frameOutput_.file = arguments.text(0);
+  session.framesTrouble_ = {};
   hideWindow(session, "chooser-frames");
   return {};
 }
@@ -84,10 +93,16 @@ Result SessionActions::writeFrames(Session& session, const Arguments&) {
 }
 
 Result SessionActions::beginFrames(Session& session, const std::string& mayOverwrite) {
+  Result begun = checkedFrames(session, mayOverwrite);
+  session.framesTrouble_ = begun ? Text() : begun.error();
+  return begun;
+}
+
+Result SessionActions::checkedFrames(Session& session, const std::string& mayOverwrite) {
   if (session.frameJob_) return tl::unexpected(Text("refusal.writing-frames"));
   const std::string file = session.framesFile();
   if (auto why = obstacleAt(file, session.path())) return tl::unexpected(std::move(*why));
-  const FrameOptions& options = session.frameOutput_.options;
+  const FrameOptions options = session.frameOptions();
   const std::int64_t frames = session.evaluation().frameCount();
   if (frameCountOf(options, frames) == 0) {
     return tl::unexpected(
@@ -139,7 +154,8 @@ void Session::collectFrames() {
       say(MessageKind::kDone, Text("output.frames-cancelled", {file}));
       break;
     case FrameJob::End::kFailed:
-      say(MessageKind::kError, Text("output.frames-failed", {file, problemOf(*job->error())}));
+      framesTrouble_ = Text("output.frames-failed", {file, problemOf(*job->error())});
+      say(MessageKind::kError, framesTrouble_);
       return;
   }
   if (waited) execute(Command("quit"));

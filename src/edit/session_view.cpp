@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "edit/free_camera.hpp"
+#include "edit/number_words.hpp"
 #include "edit/session_actions.hpp"
 
 namespace vides {
@@ -228,7 +229,13 @@ Result SessionActions::resetSizes(Session& session, const Arguments&) {
 
 Result SessionActions::gridStep(Session& session, const Arguments& arguments) {
   const double step = arguments.number(0);
-  if (!kGridSteps.contains(step)) return tl::unexpected(Text("refusal.grid-step", {step}));
+  if (!kGridSteps.contains(step)) {
+    const bool scene = session.display_.units == Units::kScene;
+    const double unit = scene ? session.flight().space.halfSize : 1.0;
+    return tl::unexpected(
+        Text("refusal.grid-step", {numberWords(step * unit), numberWords(kGridSteps.min * unit),
+                                   numberWords(kGridSteps.max * unit)}));
+  }
   session.display_.gridStep = step;
   return {};
 }
@@ -248,6 +255,7 @@ void SessionActions::openWindow(Session& session, const std::string& name) {
   std::erase(session.windows_, name);
   session.windows_.push_back(name);
   if (name == "shape" && opens) beginShape(session);
+  if (name == "frames" && opens) session.framesTrouble_ = {};
 }
 
 void SessionActions::hideWindow(Session& session, const std::string& name) {

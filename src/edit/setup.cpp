@@ -3,6 +3,7 @@
 #include "edit/setup.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 
@@ -86,6 +87,22 @@ bool readLength(VidValues& v, const Range& range, float& into) {
   return true;
 }
 
+constexpr auto kUpChoices = [] {
+  std::array<VidValues::Choice<UpAxis>, kUpAxes.size()> choices{};
+  for (std::size_t i = 0; i < choices.size(); ++i) choices[i] = {name(kUpAxes[i]), kUpAxes[i]};
+  return choices;
+}();
+
+// Formats that this version doesn't read are passed over.
+void readImportUp(VidValues& v, Reading& r) {
+  v.members([&](const std::string& ending) {
+    if (ending != "obj") return false;
+    UpAxis axis = UpAxis::kY;
+    if (v.oneOf<UpAxis>(kUpChoices, axis)) r.setup.importUp[ending] = axis;
+    return true;
+  });
+}
+
 constexpr Member<Layout> kLayoutMembers[] = {
     {"left", [](VidValues& v, Layout& l) { readLength(v, kLeftWidth, l.left); }},
     {"right", [](VidValues& v, Layout& l) { readLength(v, kRightWidth, l.right); }},
@@ -118,6 +135,7 @@ constexpr Member<Reading> kMembers[] = {
     {"sizes", readSizes},
     {"shown", readShown},
     {"colours", readColours},
+    {"import_up", readImportUp},
     {"layout",
      [](VidValues& v, Reading& r) {
        Extra ignored;
@@ -260,6 +278,11 @@ std::string writeSetup(const Setup& setup) {
         if (display.colours[i]) w.colour(name(static_cast<ColourRole>(i)), *display.colours[i]);
       }
     });
+    if (!setup.importUp.empty()) {
+      w.object("import_up", [&] {
+        for (const auto& [ending, axis] : setup.importUp) w.text(ending, name(axis));
+      });
+    }
     w.object("layout", [&] { writeLayout(w, setup.layout); });
     w.object("view", [&] {
       w.number("turn", setup.turn);

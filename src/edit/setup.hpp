@@ -6,6 +6,7 @@
 // newer one's setup of the same version.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "edit/layout.hpp"
 #include "flight/limits.hpp"
 #include "flight/problem.hpp"
+#include "flight/up_axis.hpp"
 #include "math/view_projection.hpp"
 
 namespace vides {
@@ -31,6 +33,9 @@ struct Setup {
   double tilt = EditorView().tilt;
   double size = EditorView().size;
   bool perspective = false;
+  // The axis of a format that points up in imports, by its ending ("obj"), where another one than
+  // the format's usual axis was chosen.
+  std::map<std::string, UpAxis> importUp;
 
   bool operator==(const Setup&) const = default;
 };

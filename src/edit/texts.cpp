@@ -16,9 +16,9 @@ namespace {
 constexpr std::string_view kMinus = "\u2212";
 constexpr int kMostDecimals = 3;
 
-std::array<std::string_view, 4> files() {
-  return {translations::kSessionJson, translations::kPanelsJson, translations::kSettingsJson,
-          translations::kHelpJson};
+std::array<std::string_view, 5> files() {
+  return {translations::kSessionJson, translations::kPanelsJson, translations::kScenesJson,
+          translations::kSettingsJson, translations::kHelpJson};
 }
 
 // "{0}" or "{0:3}" at the beginning of a template; size 0 where there is none.

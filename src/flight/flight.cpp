@@ -28,7 +28,8 @@ bool Key::operator==(const Key& other) const {
 }
 
 bool SceneFile::operator==(const SceneFile& other) const {
-  return file == other.file && sameExtra(extra, other.extra);
+  return file == other.file && up == other.up && visible == other.visible &&
+         sameExtra(extra, other.extra);
 }
 
 bool Flight::Extras::operator==(const Extras& other) const {

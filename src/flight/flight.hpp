@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "flight/shared_sequence.hpp"
+#include "flight/up_axis.hpp"
 #include "math/kochanek_bartels.hpp"
 #include "math/lens.hpp"
 #include "math/speed_curve.hpp"
@@ -171,7 +172,9 @@ struct Rates {
 
 struct SceneFile {
   std::string file;  // relative to the flight's folder where such a path exists
-  Extra extra;
+  UpAxis up = UpAxis::kY;
+  bool visible = true;  // else neither drawn nor measured
+  Extra extra = {};
   bool operator==(const SceneFile& other) const;
 };
 

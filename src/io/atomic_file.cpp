@@ -12,7 +12,9 @@
 #include <climits>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "io/leftovers.hpp"
@@ -96,10 +98,28 @@ std::string FileError::reason() const {
   return text != nullptr ? text : fmt::format("error {}", number);
 }
 
+std::string missingFolder(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = fs::path(file).parent_path();
+  fs::path at;
+  for (const fs::path& part : folder) {
+    at /= part;
+    if (!fs::exists(at, error)) return at.string();
+  }
+  return {};
+}
+
 Problem problemOf(const FileError& error) {
   Problem problem;
   problem.code = ProblemCode::kUnwritable;
   problem.found = error.reason();
+  // Of a long path it is one folder that is wrong.
+  if (error.number == ENOENT) {
+    if (const std::string folder = missingFolder(error.path); !folder.empty()) {
+      problem.found += ": " + folder;
+    }
+  }
   return problem;
 }
 

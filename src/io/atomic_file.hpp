@@ -30,7 +30,10 @@ struct FileError {
   std::string path;  // as the caller named it
   std::string reason() const;
 };
+// The system's reason, and the folder that is missing where it is that.
 Problem problemOf(const FileError& error);
+// The first folder on the way to a file that isn't there; empty where all are.
+std::string missingFolder(const std::string& file);
 
 class AtomicFile {
  public:

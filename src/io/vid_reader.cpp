@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -217,8 +218,16 @@ constexpr Member<Rates> kRatesMembers[] = {
     {"roll", [](VidValues& v, Rates& r) { v.number(limits::kRate, r.roll); }},
     {"zoom", [](VidValues& v, Rates& r) { v.number(limits::kRate, r.zoom); }}};
 
+constexpr auto kUpChoices = [] {
+  std::array<VidValues::Choice<UpAxis>, kUpAxes.size()> choices{};
+  for (std::size_t i = 0; i < choices.size(); ++i) choices[i] = {name(kUpAxes[i]), kUpAxes[i]};
+  return choices;
+}();
+
 constexpr Member<SceneFile> kSceneMembers[] = {
-    {"file", [](VidValues& v, SceneFile& s) { v.path(s.file); }, expectPath}};
+    {"file", [](VidValues& v, SceneFile& s) { v.path(s.file); }, expectPath},
+    {"up", [](VidValues& v, SceneFile& s) { v.oneOf<UpAxis>(kUpChoices, s.up); }},
+    {"visible", [](VidValues& v, SceneFile& s) { v.boolean(s.visible); }}};
 
 void readScene(VidValues& v, FlightReading& f) {
   constexpr CountRange kAny{0, limits::kFileSize};

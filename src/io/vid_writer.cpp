@@ -195,8 +195,11 @@ void writeScene(Layout& to, std::string& out, const Flight& flight) {
   for (std::size_t i = 0; i < flight.scene.size(); ++i) {
     out += i == 0 ? " " : ", ";
     to.open('{', true);
-    to.member("file", std::string_view(flight.scene[i].file));
-    to.extra(flight.scene[i].extra);
+    const SceneFile& scene = flight.scene[i];
+    to.member("file", std::string_view(scene.file));
+    if (scene.up != UpAxis::kY) to.member("up", name(scene.up));
+    if (!scene.visible) to.member("visible", false);
+    to.extra(scene.extra);
     to.close('}');
   }
   out += flight.scene.empty() ? "]" : " ]";

@@ -40,11 +40,14 @@ struct Kind {
   bool endsIt = true;     // an ending that was left out is put there
   const char* name = "";  // to begin with
   bool asks = true;       // before an existing file is given as a new name
+  const char* more = "";  // of the command, after the file
 };
 constexpr Kind kKinds[] = {
     {"chooser-open", "open", "chooser.heading.open", "chooser.open", kFlights},
     {"chooser-save", "save-as", "chooser.heading.save", "answer.save", kFlights, true},
     {"chooser-import", "import-scene", "chooser.heading.import", "chooser.import", kScenes, false,
+     false, "", true, "ask"},
+    {"chooser-find", "replace-scene", "chooser.heading.find", "chooser.choose", kScenes, false,
      false},
     {"chooser-setup", "load-setup", "chooser.heading.setup", "chooser.load", kSetups},
     {"chooser-save-setup", "save-setup", "chooser.heading.save-setup", "answer.save", kSetups, true,
@@ -111,6 +114,7 @@ void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::str
   memory.order = order;
   memory.filter = filterOf(kindOf(memory));
   memory.before = session.output();
+  if (window == "chooser-find") memory.scene = session.soughtScene();
   if (*kindOf(memory).name != '\0') {
     rename(memory, kindOf(memory).name);
   } else if (window == "chooser-frames") {
@@ -125,7 +129,12 @@ void begin(Ui& ui, const Session& session, ChooserMemory& memory, const std::str
 
 void choose(ChooserMemory& memory, const fs::path& file, Actions& actions) {
   memory.mode = Mode::kChoose;
-  actions.run(Command(kindOf(memory).command, file.string()));
+  const Kind& kind = kindOf(memory);
+  Command command(kind.command);
+  if (memory.scene) command.add(*memory.scene);
+  command.add(file.string());
+  if (*kind.more != '\0') command.add(kind.more);
+  actions.run(std::move(command));
 }
 
 void createFolder(ChooserMemory& memory) {
@@ -323,10 +332,21 @@ void lastRow(Ui& ui, const Rect& row, const Session& session, ChooserMemory& mem
   if (asks) {
     words = ui.tell(Text("chooser.overwrite", {fileName(memory.overwrites)}));
   }
-  ui.text({row.x, row.y, cancel.x - row.x - ui.px(8), row.height}, words,
-          {.colour = asks ? ColourRole::kText : ColourRole::kError,
-           .weight = asks ? Weight::kSemibold : Weight::kRegular,
-           .mayShorten = true});
+  const TextStyle style{.colour = asks ? ColourRole::kText : ColourRole::kError,
+                        .weight = asks ? Weight::kSemibold : Weight::kRegular,
+                        .mayShorten = true};
+  const Rect room{row.x, row.y, cancel.x - row.x - ui.px(8), row.height};
+  // A path may need the height of two lines.
+  const std::vector<std::string> lines = wrapped(ui, words, room.width, style.weight);
+  if (lines.size() < 2) {
+    ui.text(room, words, style);
+  } else {
+    std::string rest = lines[1];
+    for (std::size_t i = 2; i < lines.size(); ++i) rest += " " + lines[i];
+    const float line = ui.px(16), top = std::round(room.centreY() - line);
+    ui.text({room.x, top, room.width, line}, lines[0], style);
+    ui.text({room.x, top + line, room.width, line}, rest, style);
+  }
   const char* const verb = asks                               ? "answer.overwrite"
                            : memory.mode == Mode::kNameFolder ? "chooser.create"
                                                               : kindOf(memory).verb;

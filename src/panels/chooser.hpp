@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,9 +30,10 @@ struct ChooserMemory {
   bool rewritten = false;   // the name is another one than was typed
   bool questionWas = true;  // in the last pass: its keys aren't ours
   Mode mode = Mode::kChoose;
-  std::string trouble;     // what the system said
-  std::string overwrites;  // the file that the question is about
-  OutputLine before;       // the output line at the opening
+  std::string trouble;                    // what the system said
+  std::string overwrites;                 // the file that the question is about
+  OutputLine before;                      // the output line at the opening
+  std::optional<std::size_t> scene = {};  // the flight's, whose file is sought
 };
 
 bool isChooser(std::string_view window);

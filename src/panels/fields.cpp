@@ -192,7 +192,7 @@ Ui::Typed Ui::wheelNumber(std::string_view id, double value, const FieldStyle& s
 
 Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const FieldStyle& style) {
   const std::string dash = "\u2013";
-  const std::string shownValue = style.differs ? dash : number(value, style.decimals);
+  const std::string shownValue = style.differs ? dash : number(value - style.base, style.decimals);
   const bool takesText = style.enabled && !style.readOnly;
   registerWidget(id, words(id), style.readOnly ? WidgetKind::kText : WidgetKind::kField, rect,
                  style.enabled, shownValue, tip(id));
@@ -223,7 +223,7 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
   int decimals = style.decimals;
   const auto shorten = [&](int least) {
     while (!style.differs && decimals > least && !fits(inset)) {
-      tail = number(value, --decimals) + style.suffix;
+      tail = number(value - style.base, --decimals) + style.suffix;
     }
   };
   shorten(2);
@@ -242,7 +242,8 @@ Ui::Typed Ui::field(std::string_view id, const Rect& rect, double value, const F
         .weight = style.weight,
         .align = Align::kRight,
         .mayShorten = true});
-  tooltip(id, rect, state);
+  const bool whole = style.base == 0.0 || style.differs;
+  tooltip(id, rect, state, {.tooltip = whole ? std::string() : number(value, style.decimals)});
   return turned;
 }
 

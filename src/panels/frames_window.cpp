@@ -60,7 +60,7 @@ void numbering(Form& form, const FrameOptions& options, Actions& actions) {
 void place(Form& form, const Session& session, Actions& actions) {
   Ui& ui = form.ui();
   constexpr std::array<std::string_view, 2> kSpaces = {"cube", "world"};
-  const bool world = spaceOf(session.frameOutput().options) == FrameSpace::kWorld;
+  const bool world = spaceOf(session.frameOptions()) == FrameSpace::kWorld;
   if (const auto chosen =
           choice(ui, "frames/space", form.row("frames/space"), kSpaces, kSpaces[world ? 1 : 0])) {
     actions.run(Command("frames-space", *chosen));
@@ -95,6 +95,18 @@ void progress(Ui& ui, const Rect& box, const FrameJob& job) {
   ui.shows("frames/progress", box, words);
 }
 
+// What went wrong, whole: a path may take lines.
+void trouble(Ui& ui, const Rect& room, const Text& text) {
+  constexpr float kLine = 18.0f;
+  float y = room.y;
+  for (const std::string& line : wrapped(ui, ui.tell(text), room.width)) {
+    if (y + ui.px(kLine) > room.bottom() + 0.5f) break;
+    ui.text({room.x, y, room.width, ui.px(kLine)}, line, {.colour = ColourRole::kError});
+    y += ui.px(kLine);
+  }
+  ui.shows("frames/trouble", room, ui.tell(text));
+}
+
 void buttons(Ui& ui, const Rect& row, const Session& session, Actions& actions) {
   const std::vector<Rect> places = lastButtons(ui, row, 2);
   const Rect& cancel = places[0];
@@ -111,7 +123,9 @@ void buttons(Ui& ui, const Rect& row, const Session& session, Actions& actions) 
 }  // namespace
 
 void framesWindow(Ui& ui, const Session& session, WindowPlace& windowPlace, Actions& actions) {
-  const FloatingFrame frame{"frames", 520.0f, 300.0f, ui.words("frames/heading"), {}, {}, 480.0f};
+  // Higher by two lines where something is told.
+  const float height = session.framesTrouble().empty() ? 300.0f : 340.0f;
+  const FloatingFrame frame{"frames", 520.0f, height, ui.words("frames/heading"), {}, {}, 480.0f};
   const bool open = floatingFrame(
       ui, frame, windowPlace,
       [&](const Rect& room) {
@@ -122,6 +136,9 @@ void framesWindow(Ui& ui, const Session& session, WindowPlace& windowPlace, Acti
         numbering(form, options, actions);
         place(form, session, actions);
         form.note(amount(ui, session));
+        const Text& why = session.framesTrouble();
+        if (!why.empty())
+          trouble(ui, {room.x, form.y(), room.width, room.bottom() - form.y()}, why);
       },
       [&](const Rect& row) { buttons(ui, row, session, actions); });
   if (!open) actions.run(Command("close-window", "frames"));

@@ -106,6 +106,7 @@ const std::vector<Menu>& menus() {
         {"menu/file/revert", "revert"},
         {"", ""},
         {"menu/file/import", "import-scene"},
+        {"menu/file/scene", "show-window scene"},
         {"menu/file/flight", "show-window flight"},
         {"", ""},
         {"menu/file/quit", "quit"}}},

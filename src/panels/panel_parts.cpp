@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "panels/left_panels.hpp"
+#include "panels/quantities.hpp"
 #include "panels/windows.hpp"
 
 namespace vides {
@@ -90,20 +91,25 @@ void coordinateFields(Ui& ui, const Coordinates& coordinates, const Rect (&boxes
   const auto which = [&](int axis) {
     return static_cast<KeyValue>(static_cast<int>(coordinates.first) + axis);
   };
+  // A relative aim is an offset: the centre doesn't move it.
+  const bool offset = coordinates.first == KeyValue::kAimX &&
+                      session.currentOrientation().aimMode == AimMode::kRelative;
+  const Vec3 base = offset ? Vec3(0.0) : farCentre(session).value_or(Vec3(0.0));
   double shownAt[3];
   // All three with as many decimals if they can, and as many when one of them changes its sign.
   int decimals = 3;
   for (int axis = 0; axis < 3; ++axis) {
     shownAt[axis] = valueOf(session.state(), session.current().key, which(axis), units);
-    decimals =
-        std::min(decimals, fittingDecimals(ui, boxes[axis], -std::abs(shownAt[axis]), decimals));
+    decimals = std::min(decimals, fittingDecimals(ui, boxes[axis],
+                                                  -std::abs(shownAt[axis] - base[axis]), decimals));
   }
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name(1, "xyz"[axis]);
     const auto typed = ui.field(coordinates.prefix + name, boxes[axis], shownAt[axis],
                                 {.decimals = decimals,
                                  .weight = Weight::kSemibold,
-                                 .differs = differs(ui, session, which(axis))});
+                                 .differs = differs(ui, session, which(axis)),
+                                 .base = base[axis]});
     if (!typed.value) continue;
     Command command(coordinates.command, name, typed.argument());
     if (units == Units::kScene) command.add("scene");

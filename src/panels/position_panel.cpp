@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "panels/left_panels.hpp"
+#include "panels/quantities.hpp"
 
 namespace vides {
 namespace {
@@ -11,7 +12,9 @@ constexpr float kRow = 22.0f;
 
 void positionRow(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
   const ThreeColumns columns = threeNumbers(ui, rows);
-  ui.text(columns.label, ui.words("position/place"), {.colour = ColourRole::kTextSecondary});
+  ui.text(columns.label,
+          ui.words(farCentre(session) ? "position/place_from_centre" : "position/place"),
+          {.colour = ColourRole::kTextSecondary});
   positionFields(ui, "position", columns.values, session, [&](const auto& typed, Command command) {
     actions.number(typed, std::move(command));
   });

@@ -25,6 +25,23 @@ LengthUnit lengthUnit(const Ui& ui, const Session& session) {
           ui.words(scene ? "unit.length.scene" : "unit.length.cube")};
 }
 
+std::optional<Vec3> farCentre(const Session& session) {
+  constexpr double kFar = 100.0;  // half sizes of the cube
+  const Space& space = session.flight().space;
+  if (session.display().units != Units::kScene) return std::nullopt;
+  const double distance = std::hypot(std::hypot(space.center.x, space.center.y), space.center.z);
+  return distance > kFar * space.halfSize ? std::optional(space.center) : std::nullopt;
+}
+
+std::string centreWords(const Ui& ui, const Vec3& centre) {
+  std::string words;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) words += " \u00b7 ";
+    words += grouped(ui, centre[axis], std::min(3, neededDecimals(centre[axis])));
+  }
+  return words;
+}
+
 std::string grouped(const Ui& ui, double value, int decimals) {
   const std::string number = ui.number(value, decimals);
   const std::size_t first = number.find_first_of("0123456789");

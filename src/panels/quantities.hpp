@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "edit/session.hpp"
@@ -17,6 +18,12 @@ struct LengthUnit {
   std::string whole;     // "cube units", "scene units"
 };
 LengthUnit lengthUnit(const Ui& ui, const Session& session);
+
+// Where places are so far from the origin that their numbers say little: the space's centre, which
+// is shown once (view/centre), and from which they are shown.
+std::optional<Vec3> farCentre(const Session& session);
+// "500 000 · 0 · −4 200 000"
+std::string centreWords(const Ui& ui, const Vec3& centre);
 
 // With a narrow space between thousands, from five digits on.
 std::string grouped(const Ui& ui, double value, int decimals);

@@ -12,6 +12,7 @@
 
 #include "math/whole.hpp"
 #include "panels/form.hpp"
+#include "panels/quantities.hpp"
 
 namespace vides {
 namespace {
@@ -211,9 +212,10 @@ void sizes(Ui& ui, Stack& rows, const Session& session, Actions& actions) {
   actions.typed(numberRow(ui, rows, "settings/ghost_every", display.shown.ghostEvery, 0),
                 [](double value) { return Command("ghost-every", value); });
   rows.gap(4);
-  actions.typed(
-      numberRow(ui, rows, "settings/grid_step", display.gridStep, neededDecimals(display.gridStep)),
-      [](double value) { return Command("grid-step", value); });
+  const double unit = lengthUnit(ui, session).perCube;
+  const double step = display.gridStep * unit;
+  actions.typed(numberRow(ui, rows, "settings/grid_step", step, neededDecimals(step)),
+                [&](double value) { return Command("grid-step", value / unit); });
 }
 
 // A label, and beside it toggles of which one is on.

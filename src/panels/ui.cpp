@@ -228,8 +228,10 @@ void Ui::entry(std::string_view id, const Rect& rect, std::string_view label,
   registerWidget(id, label, WidgetKind::kEntry, rect, true, value);
 }
 
-void Ui::choice(std::string_view id, const Rect& rect, std::string_view value) {
-  registerWidget(id, words(id), WidgetKind::kChoice, rect, true, value);
+void Ui::choice(std::string_view id, const Rect& rect, std::string_view value,
+                std::string_view label) {
+  registerWidget(id, label.empty() ? words(id) : std::string(label), WidgetKind::kChoice, rect,
+                 true, value);
 }
 
 void Ui::shows(std::string_view id, const Rect& rect, std::string_view value) {

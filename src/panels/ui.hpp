@@ -56,6 +56,7 @@ struct ButtonStyle {
   bool enter = false;   // the one that Enter stands for: it has a rim
   Align align = Align::kCentre;
   std::string tooltip = {};  // in words; empty: that of the identifier, if it has one
+  std::string label = {};    // of a picture or an icon, likewise
   std::string command = {};  // its line: its keys are told too, and its title where nothing is said
 };
 
@@ -80,6 +81,7 @@ struct FieldStyle {
   Weight weight = Weight::kRegular;
   bool centred = false;  // else at the right, in line with numbers above and below
   bool differs = false;  // of several keys: no number is shown
+  double base = 0.0;     // shown is the value less this; it is typed, and told by the tip, whole
 };
 
 // The triangles and bars that the typeface lacks.
@@ -230,8 +232,10 @@ class Ui {
   // stays the same.
   std::optional<std::string> textField(std::string_view id, const Rect& rect,
                                        std::string_view value, bool path = false);
-  // Tells the registry of buttons of which one is on: theirs are ID_VALUE.
-  void choice(std::string_view id, const Rect& rect, std::string_view value);
+  // Tells the registry of buttons of which one is on: theirs are ID_VALUE. A label where the
+  // identifier, that of a row, has none of its own.
+  void choice(std::string_view id, const Rect& rect, std::string_view value,
+              std::string_view label = {});
   // An area with a meaning of its own (a graph, the viewport); true while the pointer is over it.
   struct AreaState {
     bool hovered = false;

@@ -178,8 +178,9 @@ bool Ui::enterPressed() const {
 
 bool Ui::iconButton(std::string_view id, const Rect& rect, Icon which, const ButtonStyle& style) {
   const Press state = press(id, rect, WidgetKind::kButton, style.enabled);
-  registerWidget(id, words(id), style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
-                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "", tip(id, style));
+  registerWidget(id, style.label.empty() ? words(id) : style.label,
+                 style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect, style.enabled,
+                 style.toggle ? (style.on ? "on" : "off") : "", tip(id, style));
   ground(rect, state, style);
   icon(which, rect, style.enabled ? ColourRole::kText : ColourRole::kTextDisabled);
   tooltip(id, rect, state, style);
@@ -245,8 +246,9 @@ bool Ui::choiceRow(std::string_view id, const Rect& rect, std::string_view label
 
 bool Ui::pictureButton(std::string_view id, const Rect& rect, const ButtonStyle& style) {
   const Press state = press(id, rect, WidgetKind::kButton, style.enabled);
-  registerWidget(id, words(id), style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect,
-                 style.enabled, style.toggle ? (style.on ? "on" : "off") : "");
+  registerWidget(id, style.label.empty() ? words(id) : style.label,
+                 style.toggle ? WidgetKind::kToggle : WidgetKind::kButton, rect, style.enabled,
+                 style.toggle ? (style.on ? "on" : "off") : "", tip(id, style));
   ground(rect, state, style);
   tooltip(id, rect, state, style);
   return state.pressed;

@@ -8,6 +8,7 @@
 #include "panels/flight_window.hpp"
 #include "panels/frames_window.hpp"
 #include "panels/help_window.hpp"
+#include "panels/scene_window.hpp"
 #include "panels/window_frame.hpp"
 
 namespace vides {
@@ -56,6 +57,8 @@ std::string_view answerOfEnter(const Question& asked) {
     case Question::Kind::kUnsaved:
     case Question::Kind::kOutsideCube:
     case Question::Kind::kRecover:
+    case Question::Kind::kSceneAgain:
+    case Question::Kind::kScenesFound:
       return asked.choices.front();
     case Question::Kind::kChangedOnDisk:
     case Question::Kind::kFramesExist:
@@ -78,6 +81,8 @@ std::string_view losingAnswer(const Question& asked) {
     case Question::Kind::kWritingFrames:
       return "stop";
     case Question::Kind::kOutsideCube:
+    case Question::Kind::kSceneAgain:
+    case Question::Kind::kScenesFound:
       break;
   }
   return {};
@@ -168,8 +173,8 @@ void question(Ui& ui, const Session& session, Actions& actions) {
 }  // namespace
 
 bool hasWindow(std::string_view name) {
-  constexpr std::string_view kWindows[] = {"shape",    "speed",     "flight",     "frames",
-                                           "settings", "shortcuts", "insert-keys"};
+  constexpr std::string_view kWindows[] = {"shape",    "speed",     "flight",      "frames",
+                                           "settings", "shortcuts", "insert-keys", "scene"};
   return isChooser(name) ||
          std::find(std::begin(kWindows), std::end(kWindows), name) != std::end(kWindows);
 }
@@ -198,6 +203,7 @@ void windows(Ui& ui, const Session& session, const Texts& texts, WindowsMemory& 
   if (session.windowOpen("shape")) shapeWindow(ui, session, memory.shape, actions);
   if (session.windowOpen("flight")) flightWindow(ui, session, memory.flight, actions);
   if (session.windowOpen("frames")) framesWindow(ui, session, memory.frames, actions);
+  if (session.windowOpen("scene")) sceneWindow(ui, session, memory.scene, actions);
   if (session.windowOpen("insert-keys")) insertKeys(ui, session, actions);
   if (session.windowOpen("shortcuts")) helpWindow(ui, session, texts, actions);
   if (session.windowOpen("settings")) settingsWindow(ui, session, memory.settings, actions);

@@ -28,7 +28,7 @@ struct WindowsMemory {
   ChooserMemory chooser;
   ShapeWindowMemory shape;
   SettingsMemory settings;
-  WindowPlace flight, frames;
+  WindowPlace flight, frames, scene;
   SpeedWindowMemory speed;
   std::vector<std::string> open;  // in the display frame before
 };

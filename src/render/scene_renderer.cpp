@@ -40,13 +40,14 @@ struct PixelBox {
 
 // For coordinates of the geometry's own, from what is meant for the cube's.
 glm::mat4 placed(glm::dmat4 matrix, const Placement& place) {
-  matrix[3] = matrix * glm::dvec4(place.origin, 1.0);
-  for (int i = 0; i < 3; ++i) matrix[i] *= place.unit;
-  return glm::mat4(matrix);
+  glm::dmat4 own(place.turn);
+  for (int i = 0; i < 3; ++i) own[i] *= place.unit;
+  own[3] = glm::dvec4(place.origin, 1.0);
+  return glm::mat4(matrix * own);
 }
 glm::vec4 placed(const glm::dvec4& plane, const Placement& place) {
-  return glm::vec4(
-      glm::dvec4(place.unit * Vec3(plane), glm::dot(plane, glm::dvec4(place.origin, 1.0))));
+  return glm::vec4(glm::dvec4(place.unit * (Vec3(plane) * place.turn),
+                              glm::dot(plane, glm::dvec4(place.origin, 1.0))));
 }
 
 // The pixels whose middles lie in the rectangle.

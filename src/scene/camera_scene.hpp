@@ -10,7 +10,7 @@
 #include "flight/flight.hpp"
 #include "math/view_projection.hpp"
 #include "scene/draw_list.hpp"
-#include "scene/drawable_scene.hpp"
+#include "scene/scene_part.hpp"
 #include "scene/theme.hpp"
 
 namespace vides {
@@ -20,7 +20,7 @@ struct CameraInput {
   PictureFormat picture;
   Lens lens;
   Space space;                         // of the scenes
-  std::vector<SharedDrawable> scenes;  // none of them null
+  std::vector<PlacedScene> scenes;
   PixelRectangle rectangle;
   double contentScale = 1.0;
   double lines = 1.2;  // width of cube and scene, at content scale 1

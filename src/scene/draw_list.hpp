@@ -106,7 +106,8 @@ enum class DrawDepth : std::uint8_t {
 struct Placement {
   Vec3 origin{0.0};
   double unit = 1.0;  // > 0
-  Vec3 at(const Vec3& point) const { return origin + unit * point; }
+  Mat3 turn{1.0};     // before the unit and the origin
+  Vec3 at(const Vec3& point) const { return origin + unit * (turn * point); }
   bool operator==(const Placement&) const = default;
 };
 

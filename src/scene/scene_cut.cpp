@@ -60,7 +60,7 @@ class Magnification {
 
 // From the coordinates of one placement into those of another.
 Placement within(const Placement& outer, const Placement& inner) {
-  return {outer.at(inner.origin), outer.unit * inner.unit};
+  return {outer.at(inner.origin), outer.unit * inner.unit, outer.turn * inner.turn};
 }
 
 // The least and the greatest distance of a box's corners from the eye's plane.
@@ -261,7 +261,8 @@ const std::vector<SeenDetail>& SceneCut::see(std::vector<PlacedTiles> groups,
   std::vector<SeenTile> tiles;
   for (const PlacedTiles& group : groups_) {
     for (const DrawableScene::Tile& tile : ((*group.scene).*group.tiles)()) {
-      const Vec3 low = group.place.at(tile.low), high = group.place.at(tile.high);
+      const Vec3 a = group.place.at(tile.low), b = group.place.at(tile.high);
+      const Vec3 low = glm::min(a, b), high = glm::max(a, b);  // a turn may have changed them
       if (!mayBeSeen(view, low, high, margin)) continue;
       const auto [nearest, farthest] = distances(view, low, high);
       // Where the eye is close to it or in it, some of it is seen larger.

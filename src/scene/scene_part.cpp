@@ -2,6 +2,8 @@
 // Styles for the parts of the scenes that are seen.
 #include "scene/scene_part.hpp"
 
+#include <glm/common.hpp>
+
 namespace vides {
 namespace {
 
@@ -11,14 +13,25 @@ constexpr float kFade = 0.45f;
 
 }  // namespace
 
+Placement PlacedScene::placeIn(const Space& space) const {
+  return {space.toCube(Vec3(0.0)), 1.0 / space.halfSize, uprightTurn(up)};
+}
+
+BoundingBox PlacedScene::box() const {
+  const Mat3 turn = uprightTurn(up);
+  const Vec3 a = turn * drawable->box().low, b = turn * drawable->box().high;
+  return {glm::min(a, b), glm::max(a, b)};
+}
+
 void ScenePart::add(DrawList& list, const ScenesInput& input, const Theme& theme) {
   const Colour colour = theme[ColourRole::kScene];
   const float pointRadius = kPointRadius * input.lineWidth;
-  const Placement inCube{input.space.toCube(Vec3(0.0)), 1.0 / input.space.halfSize};
   using Which = const DrawableScene::Tiles& (DrawableScene::*)() const;
   const auto add = [&](SceneCut& cut, Which tiles, const auto& style) {
     std::vector<PlacedTiles> groups;
-    for (const SharedDrawable& scene : input.scenes) groups.push_back({scene, tiles, inCube});
+    for (const PlacedScene& scene : input.scenes) {
+      groups.push_back({scene.drawable, tiles, scene.placeIn(input.space)});
+    }
     for (const SeenDetail& detail : cut.see(groups, list.view, 2.0 * pointRadius)) {
       DrawItem item;
       item.geometry = detail.geometry;

@@ -2,6 +2,7 @@
 // The imported scenes as they are drawn: wireframe, or points.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "flight/flight.hpp"
@@ -12,9 +13,22 @@
 
 namespace vides {
 
+// A scene and where it stands in scene units (3-vid-format, scene[]).
+struct PlacedScene {
+  SharedDrawable drawable;  // not null
+  UpAxis up = UpAxis::kY;
+
+  PlacedScene(SharedDrawable scene, UpAxis axis = UpAxis::kY)  // NOLINT: stands as its file has it
+      : drawable(std::move(scene)), up(axis) {}
+  // From the file's coordinates to the cube.
+  Placement placeIn(const Space& space) const;
+  // Of what is drawn, in scene units.
+  BoundingBox box() const;
+};
+
 struct ScenesInput {
-  std::vector<SharedDrawable> scenes;  // none of them null
-  Space space;                         // from scene units to the cube
+  std::vector<PlacedScene> scenes;
+  Space space;  // from scene units to the cube
   bool asPoints = false;
   float lineWidth = 1.2f;  // pixels
 };

@@ -60,7 +60,7 @@ void SceneStore::setFiles(const std::vector<fs::path>& files, std::int64_t docum
     const auto known = std::ranges::find(known_, file, &Known::file);
     Known now{file, stamp, nullptr, false};
     if (known != known_.end()) {
-      const bool keeps = known->stamp == stamp && !(again && hasFailed(known->reading));
+      const bool keeps = !again || (known->stamp == stamp && !hasFailed(known->reading));
       if (keeps) now = std::move(*known);
       known_.erase(known);
     }
@@ -119,18 +119,34 @@ std::vector<SharedDrawable> SceneStore::scenes(const std::vector<fs::path>& file
   return result;
 }
 
+SharedReading SceneStore::readingOf(const fs::path& file) const {
+  const auto known = std::ranges::find(known_, file, &Known::file);
+  return known != known_.end() ? known->reading : nullptr;
+}
+
+void SceneStore::readAgain(const fs::path& file) {
+  Known* const known = find(file);
+  if (known == nullptr) return;
+  if (known->reading && !known->reading->ended()) {
+    known->reading->cancel();
+    leaving_.push_back(std::move(known->reading));
+  }
+  *known = {file, stampOf(file), nullptr, false};
+}
+
+std::vector<fs::path> SceneStore::changedOnDisk() const {
+  std::vector<fs::path> changed;
+  for (const Known& known : known_) {
+    if (!known.reading || !known.reading->ended()) continue;
+    const bool named = std::ranges::find(files_, known.file) != files_.end();
+    if (named && !(stampOf(known.file) == known.stamp)) changed.push_back(known.file);
+  }
+  return changed;
+}
+
 std::vector<SharedReading> SceneStore::takeRefused() { return std::exchange(refused_, {}); }
 
 std::vector<SharedReading> SceneStore::takeNoted() { return std::exchange(noted_, {}); }
-
-std::vector<SharedReading> SceneStore::readings() const {
-  std::vector<SharedReading> result;
-  for (const fs::path& file : files_) {
-    const auto known = std::ranges::find(known_, file, &Known::file);
-    result.push_back(known != known_.end() ? known->reading : nullptr);
-  }
-  return result;
-}
 
 std::vector<SharedReading> SceneStore::reading() const {
   std::vector<SharedReading> result;

@@ -21,18 +21,22 @@ class SceneStore {
   SharedReading read(const std::filesystem::path& file);
 
   // The scenes of a flight as far as they have been read. `files` as sceneFilePath() gives them;
-  // those that are new are begun, a few at a time, and those that are named no more are given up. A
-  // `document` other than the last one tries again what couldn't be read.
+  // those that are new are begun, a few at a time, and those that are named no more are given up.
+  // What was read stays so, whatever happens to the file, until another `document` than the last
+  // one asks for it: then what has changed, and what couldn't be read, is read again.
   std::vector<SharedDrawable> scenes(const std::vector<std::filesystem::path>& files,
                                      std::int64_t document);
+  // What is known of one of those files: its reading, null while it waits for its turn.
+  SharedReading readingOf(const std::filesystem::path& file) const;
+  // Reads a file again, however it is, when scenes() asks for it next.
+  void readAgain(const std::filesystem::path& file);
+  // Those files that are on the disk in another way than they were read, or are there no more.
+  std::vector<std::filesystem::path> changedOnDisk() const;
   // Of those scenes, the ones that turned out not to be readable; each is told once.
   std::vector<SharedReading> takeRefused();
   // Of those scenes, the ones whose report has notes; each is told once. An import, which read()
   // reads for, tells them itself.
   std::vector<SharedReading> takeNoted();
-  // What came of each of those scenes, or null where it waits for its turn, in the flight's order;
-  // of the last call.
-  std::vector<SharedReading> readings() const;
 
   // Those at work.
   std::vector<SharedReading> reading() const;

@@ -17,7 +17,7 @@
 #include "evaluate/evaluation.hpp"
 #include "math/view_projection.hpp"
 #include "scene/draw_list.hpp"
-#include "scene/drawable_scene.hpp"
+#include "scene/scene_part.hpp"
 #include "scene/theme.hpp"
 
 namespace vides {
@@ -97,7 +97,7 @@ struct Margins {
 
 struct ViewportInput {
   Evaluation evaluation;
-  std::vector<SharedDrawable> scenes;  // none of them null
+  std::vector<PlacedScene> scenes;
   EditorView view;
   PixelRectangle rectangle;
   double contentScale = 1.0;

@@ -4,7 +4,6 @@
 import json
 import os
 import shutil
-import unittest
 
 import program
 from program import ProgramTest, SOURCE
@@ -82,13 +81,11 @@ class Cases(ProgramTest):
         info = json.loads(self.output_of("info", "--json", "beat.vid"))
         self.assertEqual(info["frames"], 656)
 
-    @unittest.skip("comes with names of any bytes")
     def test_import_latin1_name(self):
         pyramid = (CASES / "obj-cr-lines" / "cr.obj").read_bytes()
         (self.folder / os.fsdecode(b"pl\xe4ne.obj")).write_bytes(pyramid)
         self.assertIn("UTF-8", self.drive("import-latin1-name"))
 
-    @unittest.skip("comes with names of any bytes")
     def test_check_control_characters(self):
         names = [b"esc\x1b[31m.vid", b"two\nlines.vid", b"bell\x07.vid"]
         for name in names:

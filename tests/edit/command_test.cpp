@@ -52,8 +52,9 @@ TEST(Command, RefusalTellsWhatWasExpected) {
   EXPECT_EQ(why("set-aim-mode up"),
             Text("refusal.expected-choice", {"MODE", "absolute, relative", "up"}));
   EXPECT_EQ(why("set-name \"open"), Text("refusal.closing-quote"));
-  EXPECT_EQ(why("add-scene a.obj 1 2"),
-            Text("refusal.usage", {"add-scene FILE [LOW_X LOW_Y LOW_Z HIGH_X HIGH_Y HIGH_Z]"}));
+  EXPECT_EQ(
+      why("add-scene a.obj 1 2"),
+      Text("refusal.usage", {"add-scene FILE [LOW_X LOW_Y LOW_Z HIGH_X HIGH_Y HIGH_Z [UP]]"}));
 }
 
 TEST(Command, NumbersAsUsersTypeThem) {

@@ -34,7 +34,7 @@ TEST_F(Files, ASampleIsNeverWrittenOver) {
   makeFive(maker);
   run(maker, "save-as " + path("sample.vid"));
   Flight sample = maker.flight();
-  sample.scene.push_back({"scene.obj", {}});
+  sample.scene.emplace_back().file = "scene.obj";
   writeFile(path("sample.vid"), writeVid(sample));
   const std::string before = fileText(path("sample.vid"));
 
@@ -228,7 +228,7 @@ TEST_F(Files, ScenePathsStayRelativeToTheFlight) {
 TEST_F(Files, AWholePathOfASceneBecomesARelativeOne) {
   fs::create_directories(folder_ / "scenes");
   Flight flight = newFlight();
-  flight.scene.push_back({fs::canonical(folder_).string() + "/scenes/none.obj", {}});
+  flight.scene.emplace_back().file = fs::canonical(folder_).string() + "/scenes/none.obj";
   writeFile(path("a.vid"), writeVid(flight));
   Session session;
   run(session, "open " + path("a.vid"));

@@ -32,7 +32,13 @@ class RandomCommands {
 
   Command any(const Session& session) {
     const std::size_t keys = session.flight().keys.size();
-    switch (index(36)) {
+    switch (index(39)) {
+      case 36:
+        return Command("add-scene", std::string("none.obj"));
+      case 37:
+        return Command("set-scene-up", index(3), std::string(name(kUpAxes[index(6)])));
+      case 38:
+        return Command("show-scene", index(3), index(2) == 0 ? "on" : "off");
       case 0:
         return Command(index(2) == 0 ? "insert-key" : "insert-at-playhead");
       case 1:

@@ -40,7 +40,7 @@ TEST_F(Scenes, SmallOnesAreThereAtOnce) {
   EXPECT_EQ(session().flight().scene.size(), 1u);
   EXPECT_EQ(session().flight().space, (Space{{2, 1, 0.5}, 2 / 0.8}));
   ASSERT_EQ(session().scenes().size(), 1u);
-  EXPECT_EQ(session().scenes()[0]->box().high, Vec3(4, 2, 1));
+  EXPECT_EQ(session().scenes()[0].box().high, Vec3(4, 2, 1));
   run(session(), "undo");
   EXPECT_TRUE(session().scenes().empty());
 }
@@ -127,15 +127,14 @@ TEST_F(Scenes, AFlightIsOpenBeforeItsScenesAre) {
 }
 
 TEST_F(Scenes, WhatIsWrongIsToldInWords) {
-  writeFile(path("bad.obj"), "v 0 0 0\nv 1 2\n");
+  writeFile(path("bad.obj"), "v 0 0 0\nv 1 x 2\n");
   EXPECT_FALSE(session().execute("import-scene " + path("bad.obj")));
   EXPECT_EQ(session().output().kind, MessageKind::kError);
   const Text text = session().output().text;
   EXPECT_EQ(Texts(Language::kEnglish).tell(text),
-            path("bad.obj") + ", line 2: expected three finite numbers after v, found “”");
-  EXPECT_EQ(
-      Texts(Language::kGerman).tell(text),
-      path("bad.obj") + ", Zeile 2: nach v werden drei endliche Zahlen erwartet, gefunden „“");
+            path("bad.obj") + ": line 2: expected a number after v, found “x”");
+  EXPECT_EQ(Texts(Language::kGerman).tell(text),
+            path("bad.obj") + ": Zeile 2: nach v wird eine Zahl erwartet, gefunden „x“");
   EXPECT_FALSE(session().execute("import-scene " + path("small.ply")));
   EXPECT_EQ(Texts(Language::kEnglish).tell(session().output().text),
             path("small.ply") + ": scenes are read from .obj files, not from “.ply”");

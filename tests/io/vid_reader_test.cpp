@@ -79,6 +79,25 @@ TEST(VidReader, DefaultsOfAbsentMembers) {
   EXPECT_EQ(o.hold, 0);
 }
 
+TEST(VidReader, HowAScenePointsUpAndWhetherItIsShown) {
+  for (const UpAxis axis : kUpAxes) {
+    const std::string scene =
+        R"(,"scene":[{"file":"a","up":")" + std::string(name(axis)) + R"("}])";
+    EXPECT_EQ(flightOf(smallest(scene)).scene.at(0).up, axis);
+  }
+  EXPECT_EQ(
+      problemsOf(smallest(R"(,"scene":[{"file":"a","up":"+y"},{"file":"b","up":1,"visible":0},
+                                            {"file":"c","up":"Z","visible":"false","sealed":1}])")),
+      "f.vid: /scene/0/up: expected one of \"y\", \"-y\", \"z\", \"-z\", \"x\", \"-x\", found "
+      "\"+y\"\n"
+      "f.vid: /scene/1/up: expected one of \"y\", \"-y\", \"z\", \"-z\", \"x\", \"-x\", found 1\n"
+      "f.vid: /scene/1/visible: expected true or false, found 0\n"
+      "f.vid: /scene/2/up: expected one of \"y\", \"-y\", \"z\", \"-z\", \"x\", \"-x\", found "
+      "\"Z\"\n"
+      "f.vid: /scene/2/visible: expected true or false, found \"false\"\n"
+      "f.vid: /scene/2/sealed: unknown member; only names that begin with x_ are free\n");
+}
+
 TEST(VidReader, EveryMember) {
   const Flight flight = flightOf(R"({
     "format": "vides", "version": 1, "name": "Flug über Öl 🛩", "frame_rate": 29.97,
@@ -100,7 +119,7 @@ TEST(VidReader, EveryMember) {
         {"aim": [0, 0, 0]}]},
       {"position": [0, 0, 1], "shape": {"tension": 0.5, "continuity": -0.5, "bias": 1},
        "orientations": [{"aim": [0, 0, 0], "aim_mode": "absolute"}]}],
-    "scene": [{"file": "a.obj"}, {"file": "../b/c.ply"}]
+    "scene": [{"file": "a.obj"}, {"file": "../b/c.ply", "up": "-z", "visible": false}]
   })");
   EXPECT_EQ(flight.name, "Flug über Öl 🛩");
   EXPECT_EQ(flight.frameRate, 29.97);
@@ -127,7 +146,11 @@ TEST(VidReader, EveryMember) {
   EXPECT_EQ(o.duration, 2.5);
   EXPECT_EQ(o.hold, 1.25);
   ASSERT_EQ(flight.scene.size(), 2U);
+  EXPECT_EQ(flight.scene[0].up, UpAxis::kY);
+  EXPECT_TRUE(flight.scene[0].visible);
   EXPECT_EQ(flight.scene[1].file, "../b/c.ply");
+  EXPECT_EQ(flight.scene[1].up, UpAxis::kMinusZ);
+  EXPECT_FALSE(flight.scene[1].visible);
 }
 
 TEST(VidReader, NumbersInEveryNotation) {

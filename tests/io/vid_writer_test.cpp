@@ -25,7 +25,7 @@ TEST(VidWriter, LayoutOfTheSpecification) {
   second.roll = -0.0;
   key.orientations.push_back(second);
   flight.keys.set(0, key);
-  flight.scene = {{"pyramid.obj", nullptr}};
+  flight.scene = {{"pyramid.obj"}};
   EXPECT_EQ(writeVid(flight), R"({
   "format": "vides",
   "version": 1,
@@ -96,10 +96,29 @@ TEST(VidWriter, LayoutOfTheSpecification) {
 TEST(VidWriter, EmptySceneAndSeveralFiles) {
   Flight flight = newFlight();
   EXPECT_NE(writeVid(flight).find("\n  \"scene\": []\n}\n"), std::string::npos);
-  flight.scene = {{"a.obj", nullptr}, {"b/ü.ply", nullptr}};
+  flight.scene = {{"a.obj"}, {"b/ü.ply"}};
   EXPECT_NE(writeVid(flight).find(
                 "\n  \"scene\": [ { \"file\": \"a.obj\" }, { \"file\": \"b/ü.ply\" } ]\n}\n"),
             std::string::npos);
+}
+
+// Only where they aren't at their default, before what vides doesn't know.
+TEST(VidWriter, HowAScenePointsUpAndWhetherItIsShown) {
+  Flight flight = newFlight();
+  flight.scene = {{"a.obj", UpAxis::kY, false}, {"b.obj", UpAxis::kMinusX}, {"c.obj"}};
+  flight.scene[0].up = UpAxis::kZ;
+  const std::string text = writeVid(flight);
+  EXPECT_NE(
+      text.find("\n  \"scene\": [ { \"file\": \"a.obj\", \"up\": \"z\", \"visible\": false }, "
+                "{ \"file\": \"b.obj\", \"up\": \"-x\" }, { \"file\": \"c.obj\" } ]\n}\n"),
+      std::string::npos);
+  const std::string extra =
+      "{ \"file\": \"a.obj\", \"up\": \"z\", \"visible\": false, \"x_a\": 1 }";
+  std::string more = text;
+  more.replace(more.find("{ \"file\": \"a.obj\""), extra.size() - 10, extra);
+  const auto read = readVid(more);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(writeVid(*read), more);
 }
 
 TEST(VidWriter, StringsWithEveryCharacter) {

@@ -113,6 +113,13 @@ TEST(CameraScene, ShowsSceneCubeAndGuides) {
   const DrawItem& edge = list.items[1];
   const GeometryPoint& end = edge.geometry->points[1];
   EXPECT_EQ(edge.place.at({end.x, end.y, end.z}), Vec3(0.5, 0, 0));
+  // Upright its x leads to y, and its box with it.
+  input.scenes = {{DrawableScene::make(geometry), UpAxis::kX}};
+  input.space = {{0, 10, 0}, 2.0};
+  const DrawItem& upright = scene.build(input).items[1];
+  const GeometryPoint& top = upright.geometry->points[1];
+  EXPECT_EQ(upright.place.at({top.x, top.y, top.z}), Vec3(0, 0.5, 0));
+  EXPECT_EQ(input.scenes[0].box(), (BoundingBox{{0, 10, 0}, {0, 11, 0}}));
   input.sceneAsPoints = true;
   EXPECT_EQ(elements(), 14u);
   EXPECT_EQ(list.outer, input.rectangle);

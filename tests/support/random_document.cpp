@@ -258,7 +258,11 @@ Flight randomDocument(Random& random, int mostKeys) {
   for (std::size_t k = 0; k < count; ++k) keys.emplace_back(keyIn(random));
   f.keys = KeyList(std::move(keys));
   for (std::size_t n = below(random, 3); n > 0; --n) {
-    f.scene.push_back({"f" + randomText(random, 9), randomExtra(random)});
+    SceneFile& scene = f.scene.emplace_back();
+    scene.file = "f" + randomText(random, 9);
+    if (random.coin()) scene.up = kUpAxes[below(random, kUpAxes.size())];
+    scene.visible = !oneIn(random, 4);
+    scene.extra = randomExtra(random);
   }
   f.extras.flight = randomExtra(random);
   f.extras.picture = randomExtra(random);

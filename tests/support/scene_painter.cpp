@@ -46,11 +46,11 @@ Sample sample(const std::string& name) {
   const std::filesystem::path folder = VIDES_SOURCE_DIR "/assets/flights";
   auto flight = readVidFile((folder / (name + ".vid")).string());
   if (!flight) throw std::runtime_error(name + ".vid can't be read");
-  std::vector<SharedDrawable> scenes;
+  std::vector<PlacedScene> scenes;
   for (const SceneFile& file : flight->scene) {
     auto read = readSceneFile(sceneFilePath(folder, file.file));
     if (!read) throw std::runtime_error(file.file + " can't be read");
-    scenes.push_back(DrawableScene::make(*read));
+    if (file.visible) scenes.emplace_back(DrawableScene::make(*read), file.up);
   }
   return {std::move(*flight), std::move(scenes)};
 }

@@ -34,7 +34,7 @@ class ScenePainter {
 // A flight of assets/flights with its scene; aborts where it can't be read.
 struct Sample {
   Flight flight;
-  std::vector<SharedDrawable> scenes;
+  std::vector<PlacedScene> scenes;
 };
 Sample sample(const std::string& name);
 

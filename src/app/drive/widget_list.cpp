@@ -42,9 +42,23 @@ std::map<std::string, Widget> allWidgets(Player& player) {
     }
     player.perform(Command("close-window", window));
   }
+  // The row of a scene, here one that is missing.
+  player.perform(Command("add-scene", "missing.obj"));
+  player.perform(Command("show-window", "scene"));
+  player.frame();
+  collect();
+  player.perform(Command("close-window", "scene"));
+  player.perform(Command("undo"));
+  for (const UpAxis axis : kUpAxes) {
+    add("import/up_" + std::string(name(axis)), std::string(name(axis)), WidgetKind::kToggle);
+  }
+  add("import/up", player.editor().label("import/up"), WidgetKind::kChoice);
+  for (const char* id : {"import/fly_round", "import/close"}) {
+    add(id, player.editor().label(id), WidgetKind::kButton);
+  }
   // The answers to all questions: which are asked depends on what happened.
   for (const char* answer : {"save", "discard", "cancel", "overwrite", "save-as", "enlarge",
-                             "recover", "forget", "later", "stop"}) {
+                             "recover", "forget", "later", "stop", "again", "replace"}) {
     add(std::string("question/") + answer,
         player.editor().words(Text(std::string("answer.") + answer)), WidgetKind::kButton);
   }
