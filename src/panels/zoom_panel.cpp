@@ -69,8 +69,8 @@ void zoomPanel(Ui& ui, Stack& column, float bottom, const Session& session, Acti
       // Beside the heading.
       const float width = std::round(column.width() * 0.8f);
       const Rect heading{column.x() + column.width() - ui.px(8) - width, top + ui.tall(4), width,
-                         ui.px(24)};
-      lensRow(ui, {heading.x, heading.y + ui.px(2), width, ui.px(kHeadingFields)}, session,
+                         ui.tall(24)};
+      lensRow(ui, {heading.x, heading.y + ui.tall(2), width, ui.tall(kHeadingFields)}, session,
               actions);
     } else {
       rows.gap(4);
