@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Escapes.
+// Puts the escapes in.
 #include "flight/printable.hpp"
 
 #include <fmt/format.h>
