@@ -99,7 +99,8 @@ struct UiMemory {
   float dragOffset = 0.0f;    // from the pointer to its knob
   std::string tooltipFor;     // the widget under the pointer …
   double tooltipSince = 0.0;  // … and since when
-  std::set<char32_t> foreign;  // characters in names that the typeface has no sign for
+  // Characters in names that the typeface has no sign for.
+  std::set<char32_t> foreign;
 };
 
 // Words in the current language for a key of the translation table; empty where it has none.
