@@ -364,6 +364,7 @@ Rect Editor::viewport() const { return parts_->pictures->flightRect(); }
 bool Editor::overPicture() const { return parts_->overViewport || parts_->overCamera; }
 Layout Editor::layout() const { return parts_->session.layout(); }
 void Editor::setLayout(const Layout& layout) { parts_->session.setLayout(layout); }
+ImGuiContext* Editor::context() const { return parts_->context; }
 std::int64_t Editor::framesDrawn() const { return parts_->framesDrawn; }
 
 }  // namespace vides

@@ -23,6 +23,8 @@
 #include "render/failure.hpp"
 #include "render/gl_functions.hpp"
 
+struct ImGuiContext;
+
 namespace vides {
 
 struct EditorOptions {
@@ -102,6 +104,8 @@ class Editor {
   void setLayout(const Layout& layout);
   // Display frames drawn so far.
   std::int64_t framesDrawn() const;
+  // Dear ImGui's, for looking at what was drawn; current only while a call of the editor runs.
+  ImGuiContext* context() const;
   struct Parts;  // of editor_parts.hpp
 
  private:

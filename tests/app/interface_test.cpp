@@ -221,9 +221,9 @@ bool isPlain(const Widget& widget) {
 }
 
 // Where windows over the editor stand: those with a ground of their own, but for menus.
-std::vector<Rect> windowPlaces() {
+std::vector<Rect> windowPlaces(const Editor& editor) {
   std::vector<Rect> places;
-  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+  for (const ImGuiWindow* window : editor.context()->Windows) {
     const std::string_view name = window->Name;
     constexpr ImGuiWindowFlags kOther =
         ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip;
@@ -235,10 +235,10 @@ std::vector<Rect> windowPlaces() {
 }
 
 // Windows keep off the edges and the menu bar.
-void expectMargins(const WidgetRegistry& widgets, float width, float height, float margin,
+void expectMargins(const Editor& editor, float width, float height, float margin,
                    const std::string& state) {
-  const float top = widgets.find("menu/file")->rect.bottom();
-  for (const Rect& place : windowPlaces()) {
+  const float top = editor.widgets().find("menu/file")->rect.bottom();
+  for (const Rect& place : windowPlaces(editor)) {
     EXPECT_GE(place.x, margin) << state;
     EXPECT_GE(place.y, top + margin) << state;
     EXPECT_LE(place.right(), width - margin) << state;
@@ -264,7 +264,7 @@ TEST_P(Reachable, OnASmallScreen) {
   forEachState([&](const std::string& state) {
     expectTextsFit(widgets(), state);
     expectApart(widgets(), std::nullopt, state, below);
-    expectMargins(widgets(), 960.0f, 600.0f, 8.0f, state);
+    expectMargins(player_->editor(), 960.0f, 600.0f, 8.0f, state);
     expectButtonsInSight(widgets(), state);
     const Rect screen{0.0f, 0.0f, 960.0f, 600.0f};
     std::vector<std::string> ids;
@@ -324,7 +324,7 @@ TEST_P(Interface, FitsStandsApartAndTellsWhatItDoes) {
   forEachState([&](const std::string& state) {
     expectTextsFit(widgets(), state);
     expectApart(widgets(), Rect{0.0f, 0.0f, 960.0f * scale, 600.0f * scale}, state);
-    expectMargins(widgets(), 960.0f * scale, 600.0f * scale, 8.0f * scale, state);
+    expectMargins(player_->editor(), 960.0f * scale, 600.0f * scale, 8.0f * scale, state);
     expectButtonsInSight(widgets(), state);
     for (const auto& [id, widget] : widgets().widgets()) {
       if (!isOperated(widget) || !widget.tip.empty()) continue;

@@ -127,15 +127,15 @@ TEST_F(Scenes, AFlightIsOpenBeforeItsScenesAre) {
 }
 
 TEST_F(Scenes, WhatIsWrongIsToldInWords) {
-  writeFile(path("bad.obj"), "v 0 0 0\nv 1 2\n");
+  writeFile(path("bad.obj"), "v 0 0 0\nv 1\n");
   EXPECT_FALSE(session().execute("import-scene " + path("bad.obj")));
   EXPECT_EQ(session().output().kind, MessageKind::kError);
   const Text text = session().output().text;
   EXPECT_EQ(Texts(Language::kEnglish).tell(text),
-            path("bad.obj") + ", line 2: expected three finite numbers after v, found “”");
+            path("bad.obj") + ": line 2: expected 2, 3, 4, 6 or 7 numbers after v, found 1");
   EXPECT_EQ(
       Texts(Language::kGerman).tell(text),
-      path("bad.obj") + ", Zeile 2: nach v werden drei endliche Zahlen erwartet, gefunden „“");
+      path("bad.obj") + ": Zeile 2: nach v werden 2, 3, 4, 6 oder 7 Zahlen erwartet, gefunden 1");
   EXPECT_FALSE(session().execute("import-scene " + path("small.ply")));
   EXPECT_EQ(Texts(Language::kEnglish).tell(session().output().text),
             path("small.ply") + ": scenes are read from .obj files, not from “.ply”");

@@ -177,7 +177,7 @@ TEST(Setup, CommandsSaveAndLoadIt) {
   EXPECT_EQ(session.setup(), otherSetup());
   EXPECT_EQ(session.output().kind, MessageKind::kError);
   EXPECT_EQ(Texts(Language::kEnglish).tell(session.output().text),
-            "The setup my setup.json was not loaded: /view/tilt: expected a number from -90 to 90, "
+            "my setup.json: the setup was not loaded: /view/tilt: expected a number from -90 to 90, "
             "found 91");
   EXPECT_FALSE(session.execute(Command("save-setup", (folder / "none" / "\0x").string())));
 }
