@@ -176,9 +176,10 @@ TEST(Setup, CommandsSaveAndLoadIt) {
   EXPECT_FALSE(session.execute(Command("load-setup", path)));
   EXPECT_EQ(session.setup(), otherSetup());
   EXPECT_EQ(session.output().kind, MessageKind::kError);
-  EXPECT_EQ(Texts(Language::kEnglish).tell(session.output().text),
-            "my setup.json: the setup was not loaded: /view/tilt: expected a number from -90 to 90, "
-            "found 91");
+  EXPECT_EQ(
+      Texts(Language::kEnglish).tell(session.output().text),
+      "my setup.json: the setup was not loaded: /view/tilt: expected a number from -90 to 90, "
+      "found 91");
   EXPECT_FALSE(session.execute(Command("save-setup", (folder / "none" / "\0x").string())));
 }
 
