@@ -76,13 +76,6 @@ tl::expected<Flight, InsertRefusal> insertKeys(const Evaluation& evaluation, std
   return insertAt(evaluation, after, fractions);
 }
 
-tl::expected<Flight, InsertRefusal> insertKeyAt(const Evaluation& evaluation, std::size_t after,
-                                                double fraction) {
-  // Parts of a divided duration must stay above 0.
-  constexpr double kLeast = 1e-9;
-  return insertAt(evaluation, after, {std::clamp(fraction, kLeast, 1.0 - kLeast)});
-}
-
 tl::expected<Flight, InsertRefusal> appendKey(const Evaluation& evaluation) {
   const Flight& flight = evaluation.flight();
   const std::size_t last = flight.keys.size() - 1;

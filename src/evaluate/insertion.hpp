@@ -21,9 +21,6 @@ enum class InsertRefusal {
 // piece has no length the new keys lie on it all the same.
 tl::expected<Flight, InsertRefusal> insertKeys(const Evaluation& evaluation, std::size_t after,
                                                int count);
-// One new key at `fraction` (0 to 1) of the arc length of the piece that starts at key `after`.
-tl::expected<Flight, InsertRefusal> insertKeyAt(const Evaluation& evaluation, std::size_t after,
-                                                double fraction);
 // One key beyond the last: along the end tangent (the chord where that is zero), a third of the
 // last piece's length away, or as far as the cube allows. In a closed flight: halfway to the first
 // key.
