@@ -113,6 +113,17 @@ void Editor::Parts::buttonChanged(const ButtonChanged& change) {
   }
 }
 
+// In "insert how many" a digit inserts that many at once, 0 ten.
+bool Editor::Parts::countChosen(const KeyChanged& change) {
+  const std::optional<int> digit = digitOf(change.key);
+  const bool asked = !session.question() && !session.windows().empty() &&
+                     session.windows().back() == "insert-keys";
+  if (!digit || !asked || change.repeated || change.modifiers != Modifiers{}) return false;
+  run(Command("close-window", "insert-keys"));
+  run(Command("insert-keys", *digit == 0 ? 10 : *digit));
+  return true;
+}
+
 void Editor::Parts::keyChanged(const KeyChanged& change) {
   const bool typing = !memory.editing.empty() || ImGui::GetIO().WantTextInput;
   if (typing && change.pressed) return;
@@ -122,6 +133,7 @@ void Editor::Parts::keyChanged(const KeyChanged& change) {
   if (!memory.dragging.empty()) return;
   // The chooser has all keys for itself, unless something is asked.
   if (!windowsMemory.chooser.window.empty() && !session.question()) return;
+  if (countChosen(change)) return;
   const Shortcut* shortcut = shortcutFor(change.key, change.modifiers, change.repeated);
   if (shortcut == nullptr) return;
   if (options.pressed) options.pressed(*shortcut);

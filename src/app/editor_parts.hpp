@@ -101,6 +101,7 @@ struct Editor::Parts {
   ViewProjection filmView() const;
   PointerTarget pick(const Vec2& pixel) const;
   void keyChanged(const KeyChanged& change);
+  bool countChosen(const KeyChanged& change);
   std::string shortcutOf(std::string_view commandLine) const;
   // editor_window.cpp
   Ui::Setting uiSetting();

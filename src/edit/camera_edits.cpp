@@ -3,11 +3,9 @@
 #include "edit/camera_edits.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "edit/flight_edits.hpp"
-#include "math/quaternion.hpp"
+#include "evaluate/look_as.hpp"
 
 namespace vides {
 namespace {
@@ -18,22 +16,10 @@ constexpr double kFarthestAim = 1e5;
 // A place that differs by less is the same.
 constexpr double kSamePlace = 1e-9;
 
-// What rounding made of a 0.
-double withoutNoise(double value) { return std::abs(value) < 1e-12 ? 0.0 : value; }
-
-// Aim, roll and zoom of the camera, which stands on the key.
-void lookAs(const Camera& camera, const Key& key, double distance, Orientation& o) {
-  const double reach = std::clamp(distance, kNearestAim, kFarthestAim);
-  setAimPoint(key, o, key.position + reach * camera.viewPlaneNormal);
-  for (int i = 0; i < 3; ++i) o.aim[i] = withoutNoise(o.aim[i]);
-  // The roll belongs to the VPN that the rounded aim gives: near the poles they mustn't differ.
-  const Vec3 vpn = glm::normalize(aimOffset(key, o));
-  o.roll = withoutNoise(yawPitchRollOf(vpn, camera.viewUpVector).roll * 180.0 / std::numbers::pi);
-  o.zoom = camera.zoom;
-}
-
+// The distance at which a new aim stands: the current one's.
 double aimDistance(const EditState& state) {
-  return glm::length(aimOffset(state.key(), state.orientation()));
+  const double distance = glm::length(aimOffset(state.key(), state.orientation()));
+  return std::clamp(distance, kNearestAim, kFarthestAim);
 }
 
 tl::unexpected<Text> outside() { return tl::unexpected(Text("refusal.outside-cube")); }

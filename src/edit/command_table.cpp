@@ -99,7 +99,8 @@ void addEditMenu(Table& t) {
 void addKeyCommands(Table& t) {
   addEdit(t, "insert-key", {}, insertKeyEdit);
   addEdit(t, "insert-keys", {index("COUNT")}, insertKeysEdit);
-  addEdit(t, "insert-key-at", {index("SECTION"), number("FRACTION")}, insertKeyAtEdit);
+  addExclusive(t, "insert-at-playhead", {}, Acts::insertAtPlayhead);
+  addExclusive(t, "insert-key-at", {index("SECTION"), number("FRACTION")}, Acts::insertKeyAt);
   addEdit(t, "append-key", {}, appendKeyEdit);
   addAct(t, "previous-key", {}, Acts::previousKey);
   addAct(t, "next-key", {}, Acts::nextKey);
@@ -197,8 +198,7 @@ void addViewCommands(Table& t) {
 
 void addCameraCommands(Table& t) {
   addExclusive(t, "use-view", {}, Acts::useView, hasFreeCamera, "refusal.no-free-view");
-  addExclusive(t, "new-key-from-view", {}, Acts::newKeyFromView, hasFreeCamera,
-               "refusal.no-free-view");
+  addExclusive(t, "new-key-from-view", {}, Acts::newKeyFromView);
   addAct(t, "leave-view", {}, Acts::leaveView, hasFreeCamera);
   addAct(t, "set-free-view",
          {number("X"), number("Y"), number("Z"), number("VPN_X"), number("VPN_Y"), number("VPN_Z"),

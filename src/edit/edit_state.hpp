@@ -29,6 +29,8 @@ struct Edit {
   Text step;  // its name in "Undo …"
   Marks marks;
   Text note = {};  // told in the output line when it is done; empty: the current numbers
+  // Undone and done again it leaves the playhead where it is.
+  bool keepsPlayhead = false;
 };
 
 // The edit, or why it is refused. What an edit yields is checked again by the session.

@@ -16,7 +16,8 @@ struct Step {
   Text name;
   Flight before, after;
   Marks marksBefore, marksAfter;
-  std::size_t bytes = 0;  // what `after` and `before` don't share, estimated
+  bool keepsPlayhead = false;  // which else goes to what is current
+  std::size_t bytes = 0;       // what `after` and `before` don't share, estimated
 };
 
 class History {

@@ -64,17 +64,6 @@ EditResult insertKeysEdit(const EditState& state, const Arguments& arguments) {
                   Text("step.insert-keys", {count}));
 }
 
-EditResult insertKeyAtEdit(const EditState& state, const Arguments& arguments) {
-  const std::size_t after = arguments.index(0);
-  const double fraction = arguments.number(1);
-  if (after >= state.flight.keys.size()) return noSuchKey(after, state.flight);
-  if (fraction < 0.0 || fraction > 1.0) {
-    return tl::unexpected(Text("refusal.fraction", {fraction}));
-  }
-  return inserted(insertKeyAt(state.evaluation, after, fraction), after + 1,
-                  Text("step.insert-key", {after + 2}));
-}
-
 EditResult appendKeyEdit(const EditState& state, const Arguments&) {
   const std::size_t count = state.flight.keys.size();
   return inserted(appendKey(state.evaluation), count, Text("step.append-key", {count + 1}));

@@ -10,7 +10,6 @@ namespace vides {
 
 EditResult insertKeyEdit(const EditState& state, const Arguments& arguments);
 EditResult insertKeysEdit(const EditState& state, const Arguments& arguments);
-EditResult insertKeyAtEdit(const EditState& state, const Arguments& arguments);
 EditResult appendKeyEdit(const EditState& state, const Arguments& arguments);
 EditResult deleteKeysEdit(const EditState& state, const Arguments& arguments);
 EditResult duplicateKeysEdit(const EditState& state, const Arguments& arguments);

@@ -197,7 +197,7 @@ tl::expected<void, Text> Session::apply(const EditResult& edit) {
     // Only what is done ends a window's step.
     if (inWindow()) interruptWindow();
     show(edit->flight, *evaluation, clamped(edit->marks, edit->flight));
-    pushStep(edit->step, before);
+    pushStep(edit->step, before, edit->keepsPlayhead);
   } else if (!(edit->marks == state_.marks)) {
     show(state_.flight, state_.evaluation, edit->marks);
   }
@@ -205,9 +205,16 @@ tl::expected<void, Text> Session::apply(const EditResult& edit) {
   return {};
 }
 
-void Session::pushStep(Text name, const EditState& before) {
-  history_.push({std::move(name), before.flight, state_.flight, before.marks, state_.marks});
+void Session::pushStep(Text name, const EditState& before, bool keepsPlayhead) {
+  history_.push({std::move(name), before.flight, state_.flight, before.marks, state_.marks,
+                 keepsPlayhead});
   updateModified();
+}
+
+void Session::showStep(const Step& step, const Flight& flight, const Marks& marks) {
+  const std::int64_t frame = playback_.frame();
+  show(flight, state_.evaluation.updated(flight), marks);
+  if (step.keepsPlayhead) playback_.goTo(std::min(frame, state_.evaluation.frameCount() - 1));
 }
 
 void Session::updateModified() { modified_ = !(state_.flight == savedFlight_); }

@@ -227,7 +227,9 @@ class Session {
   void show(const Flight& flight, const Evaluation& evaluation, const Marks& marks);
   void setMarks(const Marks& marks);
   void makeCurrent(const Marks& marks);
-  void pushStep(Text name, const EditState& before);
+  void pushStep(Text name, const EditState& before, bool keepsPlayhead = false);
+  // Shows what undo or redo leads to.
+  void showStep(const Step& step, const Flight& flight, const Marks& marks);
   // Whether a window previews something that is no step yet.
   bool windowChanged() const;
   Text gestureStep() const;

@@ -83,6 +83,10 @@ struct SessionActions {
   static Result useView(Session& session, const Arguments& arguments);
   static Result newKeyFromView(Session& session, const Arguments& arguments);
 
+  // At a moment of the film.
+  static Result insertAtPlayhead(Session& session, const Arguments& arguments);
+  static Result insertKeyAt(Session& session, const Arguments& arguments);
+
   // Display and windows.
   static Result showElement(Session& session, const Arguments& arguments);
   static Result setColour(Session& session, const Arguments& arguments);
@@ -138,7 +142,12 @@ struct SessionActions {
   static std::optional<Command> takeAfterSaving(Session& session);
   static void openWindow(Session& session, const std::string& name);
   static void hideWindow(Session& session, const std::string& name);
-  static Result withCamera(Session& session, const char* command, bool enlarge);
+  static Result withCamera(Session& session, const char* command, bool enlarging);
+  static Result divide(Session& session, const Command& command, bool enlarging);
+  // Camera and state in the smallest space that holds the camera.
+  static Result enlarge(Session& session, Camera& camera, EditState& state);
+  static Result askToEnlarge(Session& session, const Text& why,
+                             const std::function<Result(Session&)>& then);
   static Result fly(Session& session, const Camera& camera);
 };
 

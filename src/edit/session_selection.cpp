@@ -54,7 +54,7 @@ bool switched(const Arguments& arguments, std::size_t index, bool now) {
 Result SessionActions::undo(Session& session, const Arguments&) {
   if (session.inWindow()) session.interruptWindow();  // what it has changed is undone first
   const Step step = session.history_.undoStep();
-  session.show(step.before, session.state_.evaluation.updated(step.before), step.marksBefore);
+  session.showStep(step, step.before, step.marksBefore);
   session.history_.undo();
   session.updateModified();
   session.say(MessageKind::kDone, Text("output.undone", {step.name}));
@@ -64,7 +64,7 @@ Result SessionActions::undo(Session& session, const Arguments&) {
 Result SessionActions::redo(Session& session, const Arguments&) {
   if (session.inWindow()) session.interruptWindow();
   const Step step = session.history_.redoStep();
-  session.show(step.after, session.state_.evaluation.updated(step.after), step.marksAfter);
+  session.showStep(step, step.after, step.marksAfter);
   session.history_.redo();
   session.updateModified();
   session.say(MessageKind::kDone, Text("output.redone", {step.name}));

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "edit/camera_edits.hpp"
 #include "edit/free_camera.hpp"
 #include "edit/session_actions.hpp"
 
@@ -159,40 +158,6 @@ Result SessionActions::flyZoom(Session& session, const Arguments& arguments) {
 Result SessionActions::leaveView(Session& session, const Arguments&) {
   session.freeCamera_.reset();
   return {};
-}
-
-Result SessionActions::withCamera(Session& session, const char* command, bool enlarge) {
-  const bool newKey = std::string_view(command) == "new-key-from-view";
-  Camera camera = session.camera();
-  EditState state = session.state_;
-  if (!insideCube(camera)) {
-    if (!enlarge) {
-      session.dialogue_ = Dialogue{
-          Question{
-              Question::Kind::kOutsideCube, Text("question.outside-cube"), {"enlarge", "cancel"}},
-          [command](Session& s, const std::string&) { return withCamera(s, command, true); },
-          {}};
-      return tl::unexpected(Text("refusal.outside-cube"));
-    }
-    auto flight = enlargedFor(state.flight, camera);
-    if (!flight) return tl::unexpected(flight.error());
-    auto evaluation = session.evaluated(*flight);
-    if (!evaluation) return tl::unexpected(evaluation.error());
-    state.flight = *flight;
-    state.evaluation = *evaluation;
-  }
-  auto done =
-      session.apply(newKey ? vides::newKeyFromView(state, camera) : vides::useView(state, camera));
-  if (done) session.freeCamera_.reset();
-  return done;
-}
-
-Result SessionActions::useView(Session& session, const Arguments&) {
-  return withCamera(session, "use-view", false);
-}
-
-Result SessionActions::newKeyFromView(Session& session, const Arguments&) {
-  return withCamera(session, "new-key-from-view", false);
 }
 
 // --- Display and windows ---

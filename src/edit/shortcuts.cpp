@@ -36,7 +36,7 @@ std::vector<Shortcut> makeTable() {
   add("edit", kCtrl, K::kA, Command("select-all"));
   add("edit", kPlain, K::kDelete, Command("delete-keys"));
 
-  add("keys", kPlain, K::kI, Command("insert-key"));
+  add("keys", kPlain, K::kI, Command("insert-at-playhead"));
   add("keys", kShift, K::kI, Command("show-window", "insert-keys"));
   add("keys", kPlain, K::kE, Command("append-key"));
   add("keys", kPlain, K::kPageUp, Command("previous-key"), true);

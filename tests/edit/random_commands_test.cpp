@@ -34,7 +34,7 @@ class RandomCommands {
     const std::size_t keys = session.flight().keys.size();
     switch (index(36)) {
       case 0:
-        return Command("insert-key");
+        return Command(index(2) == 0 ? "insert-key" : "insert-at-playhead");
       case 1:
         return Command("insert-keys", index(12));
       case 2:

@@ -26,7 +26,7 @@ TEST(Shortcuts, AsSpecified) {
                                                      {"ctrl+d", "duplicate-keys"},
                                                      {"ctrl+a", "select-all"},
                                                      {"delete", "delete-keys"},
-                                                     {"i", "insert-key"},
+                                                     {"i", "insert-at-playhead"},
                                                      {"shift+i", "show-window insert-keys"},
                                                      {"e", "append-key"},
                                                      {"page_up", "previous-key"},
