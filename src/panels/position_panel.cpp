@@ -74,8 +74,13 @@ void positionPanel(Ui& ui, Stack& column, const Session& session, Actions& actio
     const std::size_t current = session.current().key;
     shapeRow(ui, rows, session, current, true, actions);
     rows.gap(4);
-    const std::size_t next = (current + 1) % session.flight().keys.size();
-    shapeRow(ui, rows, session, next, false, actions);
+    // The row stays where there is no next key, empty: nothing moves when the last one is left.
+    const std::size_t next = current + 1 == session.flight().keys.size() ? 0 : current + 1;
+    if (next > 0 || session.flight().closed) {
+      shapeRow(ui, rows, session, next, false, actions);
+    } else {
+      static_cast<void>(threeNumbers(ui, rows));
+    }
     rows.gap(4);
     commandButton(ui, "position/change", rows.row(kRow), "show-window shape", session, actions);
   });

@@ -66,6 +66,10 @@ void transport(Ui& ui, const Rect& row, const Session& session, const FlightGrap
                 {.on = session.playback().loop(), .toggle = true, .command = "loop"})) {
     run("loop");
   }
+  if (ui.iconButton("timeline/insert", place(32), Icon::kInsert,
+                    {.command = "insert-at-playhead"})) {
+    run("insert-at-playhead");
+  }
   const std::string fit =
       ui.words(row.width < ui.px(kShortRow) ? "timeline/fit#short" : "timeline/fit");
   if (ui.button("timeline/fit", place(buttonWidth(fit)), fit, {.enabled = !view.fit}))

@@ -181,6 +181,18 @@ void Ui::icon(Icon icon, const Rect& box, ColourRole role) {
       list.AddLine({x - d, y + d}, {x + d, y - d}, ink, 1.5f * scale());
       break;
     }
+    case Icon::kInsert: {
+      // The playhead, and a plus beside it.
+      const float left = std::round(x - px(4)), half = px(5);
+      const float line = std::max(1.0f, std::round(scale()));
+      const float thick = std::max(1.0f, std::round(1.5f * scale()));
+      list.AddTriangleFilled({left - half, y - px(6)}, {left + half, y - px(6)}, {left, y + px(1)}, ink);
+      list.AddRectFilled({left - line / 2, y - px(2)}, {left + line / 2, y + px(7)}, ink);
+      const float arm = px(3.5f), right = std::round(x + px(6));
+      list.AddRectFilled({right - arm, y - thick / 2}, {right + arm, y + thick / 2}, ink);
+      list.AddRectFilled({right - thick / 2, y - arm}, {right + thick / 2, y + arm}, ink);
+      break;
+    }
     case Icon::kLoop:
       list.PathArcTo({x, y}, s, -0.4f, 4.6f);
       list.PathStroke(ink, 0, 1.5f * scale());

@@ -84,6 +84,7 @@ enum class Icon {
   kChevronDown,
   kChevronUp,
   kLoop,
+  kInsert,
   kClose
 };
 

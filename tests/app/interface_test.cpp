@@ -363,6 +363,27 @@ TEST(InterfaceTexts, OneThingHasOneName) {
   }
 }
 
+// Where there is no next key its row is empty, and nothing else moves.
+TEST(PositionPanel, TheRowOfTheNextKeyIsEmptyAtTheLastOfAnOpenFlight) {
+  OffscreenOptions options;
+  options.size = {1280, 800};
+  auto host = openOffscreen(OffscreenKind::kOsmesa, options);
+  ASSERT_TRUE(host);
+  auto player = Player::create(**host);
+  ASSERT_TRUE(player);
+  const auto find = [&](const char* id) {
+    (*player)->frame();
+    return (*player)->editor().widgets().find(id);
+  };
+  EXPECT_NE(find("position/next_bias"), nullptr);
+  const float y = find("position/change")->rect.y;
+  (*player)->perform(Command("select-key", 1));
+  EXPECT_EQ(find("position/next_bias"), nullptr);
+  EXPECT_EQ(find("position/change")->rect.y, y);
+  (*player)->perform(Command("set-closed", "on"));
+  EXPECT_NE(find("position/next_bias"), nullptr);
+}
+
 TEST(InterfaceTexts, TooltipsTellTheKeys) {
   OffscreenOptions options;
   options.size = {1280, 800};
@@ -372,7 +393,8 @@ TEST(InterfaceTexts, TooltipsTellTheKeys) {
   ASSERT_TRUE(player);
   (*player)->frame();
   const auto tip = [&](const char* id) { return (*player)->editor().widgets().find(id)->tip; };
-  EXPECT_THAT(tip("position/insert"), testing::EndsWith("(I)"));
+  EXPECT_THAT(tip("position/insert"), testing::Not(testing::EndsWith(")")));
+  EXPECT_THAT(tip("timeline/insert"), testing::EndsWith("(I)"));
   EXPECT_THAT(tip("position/insert_many"), testing::EndsWith("(Shift+I)"));
   EXPECT_THAT(tip("orientation/next"), testing::EndsWith("(Ctrl+Page Down)"));
   EXPECT_THAT(tip("timeline/play"), testing::EndsWith("(Space)"));
