@@ -186,7 +186,8 @@ void Ui::icon(Icon icon, const Rect& box, ColourRole role) {
       const float left = std::round(x - px(4)), half = px(5);
       const float line = std::max(1.0f, std::round(scale()));
       const float thick = std::max(1.0f, std::round(1.5f * scale()));
-      list.AddTriangleFilled({left - half, y - px(6)}, {left + half, y - px(6)}, {left, y + px(1)}, ink);
+      list.AddTriangleFilled({left - half, y - px(6)}, {left + half, y - px(6)}, {left, y + px(1)},
+                             ink);
       list.AddRectFilled({left - line / 2, y - px(2)}, {left + line / 2, y + px(7)}, ink);
       const float arm = px(3.5f), right = std::round(x + px(6));
       list.AddRectFilled({right - arm, y - thick / 2}, {right + arm, y + thick / 2}, ink);

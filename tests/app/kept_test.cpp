@@ -83,8 +83,8 @@ class RecoveryTest : public KeptTest {
   }
   // An edit in both, and how long it took until it was kept.
   double editAndWait() {
-    twin_->tap(KeyboardKey::kI, {});
-    xdotool("key i");
+    twin_->tap(KeyboardKey::kO, {});
+    xdotool("key o");
     const auto start = std::filesystem::file_time_type::clock::now();
     EXPECT_TRUE(waitUntil([&] {
       return kept().size() == 1 &&
