@@ -23,13 +23,36 @@
 namespace vides {
 namespace {
 
-constexpr const char* kFramesFooter = R"(
-Formats:
-  vides   ten numbers a line: VRP, VPN, VUP, zoom, with four decimals (default)
-  csv     a header line, then frame, time, section, kind and the ten numbers
-  json    one object with lens, picture and space; a line per frame
-  chan    for Nuke: n tx ty tz rx ry rz vfov, rotation order ZXY, degrees
+// "vides, csv, json, chan", and what each is, a line each.
+std::vector<std::string> formatNames() {
+  std::vector<std::string> names;
+  for (const FrameFormat* format : frameFormats()) names.emplace_back(format->name);
+  return names;
+}
+std::string formatList() {
+  std::string list = "\nFormats:\n";
+  for (const FrameFormat* format : frameFormats()) {
+    list += fmt::format("  {:7} {}{}\n", format->name, format->purpose,
+                        format == frameFormats().front() ? " (default)" : "");
+  }
+  return list;
+}
+// Of those formats of which `has` is so: "chan", "chan, other".
+std::string formatsThat(bool (*has)(const FrameFormat&)) {
+  std::string list;
+  for (const FrameFormat* format : frameFormats()) {
+    if (has(*format)) list += (list.empty() ? "" : ", ") + std::string(format->name);
+  }
+  return list;
+}
+std::string numberedFormats() {
+  return formatsThat([](const FrameFormat& format) { return format.numbered; });
+}
+std::string worldFormats() {
+  return formatsThat([](const FrameFormat& format) { return format.space == FrameSpace::kWorld; });
+}
 
+constexpr const char* kFramesFooter = R"(
 Frames are counted from 0. --range clips to the flight; a part of the frames has
 the lines that it has in the whole, whatever the format: in chan the angles
 continue without a jump from the flight's first frame, and over the poles, where
@@ -112,8 +135,10 @@ class Parser {
 
   // What no single option can know.
   void checkTogether() const {
-    if (firstNumberGiven_ && frames.options.format != FrameFormat::kChan) {
-      throw CLI::ValidationError("--first-frame", "only frames of --format chan have numbers");
+    if (firstNumberGiven_ && !frames.options.format->numbered) {
+      throw CLI::ValidationError(
+          "--first-frame",
+          fmt::format("only frames of --format {} have numbers", numberedFormats()));
     }
     if (command() == drive_ && drive.script.empty() && !drive.listWidgets) {
       throw CLI::ValidationError("--script", "a script is needed (or --list-widgets)");
@@ -147,12 +172,14 @@ class Parser {
     frames_
         ->add_option_function<std::string>(
             "--format", [this](const std::string& text) { setFormat(text); },
-            "vides (default), csv, json or chan")
+            fmt::format("{} (default: {})", fmt::join(formatNames(), ", "),
+                        frameFormats().front()->name))
         ->type_name("F");
     frames_
         ->add_option_function<std::string>(
             "--space", [this](const std::string& text) { setSpace(text); },
-            "Positions in the cube or in the scene's world (default: cube; world for chan)")
+            "Positions in the cube or in the scene's world (default: cube; world for " +
+                worldFormats() + ")")
         ->type_name("cube|world");
     frames_
         ->add_option_function<std::string>(
@@ -162,9 +189,9 @@ class Parser {
     frames_
         ->add_option_function<std::string>(
             "--first-frame", [this](const std::string& text) { setFirstNumber(text); },
-            "chan: the number of the flight's first frame (default 1)")
+            numberedFormats() + ": the number of the flight's first frame (default 1)")
         ->type_name("N");
-    frames_->footer(kFramesFooter);
+    frames_->footer(formatList() + kFramesFooter);
   }
 
   void addInfo() {
@@ -263,18 +290,16 @@ class Parser {
   }
 
   void setFormat(const std::string& text) {
-    if (const auto format = frameFormat(text)) {
-      frames.options.format = *format;
+    if (const FrameFormat* const format = frameFormat(text)) {
+      frames.options.format = format;
       return;
     }
-    std::vector<std::string> names;
-    names.reserve(std::size(kFrameFormats));
-    for (const FrameFormat format : kFrameFormats) names.emplace_back(name(format));
+    const std::vector<std::string> names = formatNames();
     const std::string near = nearestWord(text, names);
-    throw CLI::ValidationError("--format",
-                               fmt::format("unknown format '{}': {}", text,
-                                           near.empty() ? "there are vides, csv, json, chan"
-                                                        : fmt::format("did you mean '{}'?", near)));
+    throw CLI::ValidationError(
+        "--format", fmt::format("unknown format '{}': {}", text,
+                                near.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
+                                             : fmt::format("did you mean '{}'?", near)));
   }
 
   void setSpace(const std::string& text) {

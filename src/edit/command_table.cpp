@@ -229,8 +229,7 @@ std::vector<std::string> elementChoices() {
 
 void addFrameCommands(Table& t) {
   std::vector<std::string> formats;
-  formats.reserve(std::size(kFrameFormats));
-  for (const FrameFormat format : kFrameFormats) formats.emplace_back(name(format));
+  for (const FrameFormat* format : frameFormats()) formats.emplace_back(format->name);
   addAct(t, "frames-format", {choice("FORMAT", formats)}, Acts::framesFormat);
   addAct(t, "frames-space", {choice("SPACE", {"cube", "world"})}, Acts::framesSpace);
   // Frames FIRST <= n < END, as on the command line; none: all.

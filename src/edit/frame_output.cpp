@@ -12,10 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string endingOf(FrameFormat format) {
-  return format == FrameFormat::kVides ? ".txt" : "." + std::string(name(format));
-}
-
 }  // namespace
 
 std::int64_t frameCountOf(const FrameOptions& options, std::int64_t frames) {
@@ -35,17 +31,17 @@ std::string frameFile(const FrameOutput& output, const std::string& flightPath,
   if (!output.file.empty()) {
     const fs::path file = typedPath(folder, output.file);
     const bool ended = file.has_extension() || fs::exists(fs::symlink_status(file, error));
-    return file.string() + (ended ? "" : endingOf(output.options.format));
+    return file.string().append(ended ? "" : output.options.format->ending);
   }
   const std::string stem = flight.empty() ? untitled : flight.stem().string();
-  return (folder / (stem + endingOf(output.options.format))).string();
+  return (folder / stem).string().append(output.options.format->ending);
 }
 
-std::string withEndingOf(const std::string& file, FrameFormat format) {
-  for (const FrameFormat other : kFrameFormats) {
-    const std::string ending = endingOf(other);
+std::string withEndingOf(const std::string& file, const FrameFormat& format) {
+  for (const FrameFormat* other : frameFormats()) {
+    const std::string_view ending = other->ending;
     if (file.size() > ending.size() && file.ends_with(ending)) {
-      return file.substr(0, file.size() - ending.size()) + endingOf(format);
+      return file.substr(0, file.size() - ending.size()).append(format.ending);
     }
   }
   return file;

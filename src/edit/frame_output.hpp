@@ -25,6 +25,6 @@ bool takesAll(const FrameOptions& options, std::int64_t frames);
 std::string frameFile(const FrameOutput& output, const std::string& flightPath,
                       const std::string& untitled);
 // The same name for another format: its ending, where it is one of a format, changes.
-std::string withEndingOf(const std::string& file, FrameFormat format);
+std::string withEndingOf(const std::string& file, const FrameFormat& format);
 
 }  // namespace vides

@@ -35,8 +35,8 @@ std::string Session::framesFile() const { return frameFile(frameOutput_, path(),
 
 Result SessionActions::framesFormat(Session& session, const Arguments& arguments) {
   FrameOutput& output = session.frameOutput_;
-  output.options.format = *frameFormat(arguments.text(0));  // checked before
-  output.file = withEndingOf(output.file, output.options.format);
+  output.options.format = frameFormat(arguments.text(0));  // checked before
+  output.file = withEndingOf(output.file, *output.options.format);
   return {};
 }
 

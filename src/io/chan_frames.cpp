@@ -46,11 +46,18 @@ class ChanText : public FrameText {
   AngleChain angles_;
 };
 
+std::unique_ptr<FrameText> make(const FrameTextInput& input) {
+  return std::make_unique<ChanText>(input.flight, input.space, input.firstNumber);
+}
+
 }  // namespace
 
-std::unique_ptr<FrameText> makeChanText(const Flight& flight, const Space& space,
-                                        std::int64_t firstNumber) {
-  return std::make_unique<ChanText>(flight, space, firstNumber);
-}
+extern const FrameFormat kChanFrames{
+    .name = "chan",
+    .purpose = "for Nuke: n tx ty tz rx ry rz vfov, rotation order ZXY, degrees",
+    .ending = ".chan",
+    .space = FrameSpace::kWorld,
+    .numbered = true,
+    .make = make};
 
 }  // namespace vides

@@ -46,10 +46,16 @@ class CsvText : public FrameText {
   Space space_;
 };
 
+std::unique_ptr<FrameText> make(const FrameTextInput& input) {
+  return std::make_unique<CsvText>(input.space);
+}
+
 }  // namespace
 
-std::unique_ptr<FrameText> makeCsvText(const Space& space) {
-  return std::make_unique<CsvText>(space);
-}
+extern const FrameFormat kCsvFrames{
+    .name = "csv",
+    .purpose = "a header line, then frame, time, section, kind and the ten numbers",
+    .ending = ".csv",
+    .make = make};
 
 }  // namespace vides

@@ -8,8 +8,7 @@
 #include <string>
 
 #include "evaluate/section.hpp"
-#include "flight/flight.hpp"
-#include "io/frame_writer.hpp"
+#include "io/frame_format.hpp"
 #include "io/number_text.hpp"
 
 namespace vides {
@@ -30,13 +29,6 @@ class FrameText {
   virtual bool depends() const { return false; }
   virtual void follow(const Frame& /*frame*/) {}
 };
-
-// `space` maps positions; the others are as in FrameOptions.
-std::unique_ptr<FrameText> makeVidesText(const Space& space);
-std::unique_ptr<FrameText> makeCsvText(const Space& space);
-std::unique_ptr<FrameText> makeJsonText(const Flight& flight, const Space& space);
-std::unique_ptr<FrameText> makeChanText(const Flight& flight, const Space& space,
-                                        std::int64_t firstNumber);
 
 template <std::size_t Size>
 char* appendText(char* out, const char (&text)[Size]) {

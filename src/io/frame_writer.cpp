@@ -14,46 +14,17 @@ namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
 
-std::unique_ptr<FrameText> makeText(const Flight& flight, const FrameOptions& options) {
-  const Space space = spaceOf(options) == FrameSpace::kWorld ? flight.space : Space{};
-  switch (options.format) {
-    case FrameFormat::kVides:
-      return makeVidesText(space);
-    case FrameFormat::kCsv:
-      return makeCsvText(space);
-    case FrameFormat::kJson:
-      return makeJsonText(flight, space);
-    case FrameFormat::kChan:
-      return makeChanText(flight, space, options.firstNumber);
-  }
-  return nullptr;
-}
-
 }  // namespace
 
-std::string_view name(FrameFormat format) {
-  switch (format) {
-    case FrameFormat::kVides:
-      break;
-    case FrameFormat::kCsv:
-      return "csv";
-    case FrameFormat::kJson:
-      return "json";
-    case FrameFormat::kChan:
-      return "chan";
-  }
-  return "vides";
-}
-
-std::optional<FrameFormat> frameFormat(std::string_view wanted) {
-  const auto found = std::find_if(kFrameFormats.begin(), kFrameFormats.end(),
-                                  [&](FrameFormat format) { return name(format) == wanted; });
-  return found == kFrameFormats.end() ? std::nullopt : std::optional(*found);
+const FrameFormat* frameFormat(std::string_view wanted) {
+  const auto all = frameFormats();
+  const auto found =
+      std::ranges::find(all, wanted, [](const FrameFormat* format) { return format->name; });
+  return found == all.end() ? nullptr : *found;
 }
 
 FrameSpace spaceOf(const FrameOptions& options) {
-  const bool chan = options.format == FrameFormat::kChan;
-  return options.space.value_or(chan ? FrameSpace::kWorld : FrameSpace::kCube);
+  return options.space.value_or(options.format->space);
 }
 
 FrameRange clipped(const FrameOptions& options, std::int64_t frames) {
@@ -64,7 +35,10 @@ FrameRange clipped(const FrameOptions& options, std::int64_t frames) {
 bool writeFrames(const Evaluation& evaluation, const FrameOptions& options, const TextSink& sink,
                  const FrameProgress& progress) {
   const auto [first, last] = clipped(options, evaluation.frameCount());
-  const std::unique_ptr<FrameText> text = makeText(evaluation.flight(), options);
+  const Flight& flight = evaluation.flight();
+  const Space space = spaceOf(options) == FrameSpace::kWorld ? flight.space : Space{};
+  const std::unique_ptr<FrameText> text =
+      options.format->make({flight, space, options.firstNumber});
   if (const std::string head = text->head(); !head.empty() && !sink(head)) return false;
 
   const std::int64_t start = text->depends() ? 0 : first;

@@ -6,33 +6,16 @@
 // lines that it has in the whole.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
-#include <string_view>
 
 #include "evaluate/evaluation.hpp"
+#include "io/frame_format.hpp"
 #include "io/vid_writer.hpp"
 
 namespace vides {
-
-enum class FrameFormat {
-  kVides,  // ten numbers a line, four decimals
-  kCsv,
-  kJson,
-  kChan,  // Nuke's .chan
-};
-inline constexpr std::array kFrameFormats{FrameFormat::kVides, FrameFormat::kCsv,
-                                          FrameFormat::kJson, FrameFormat::kChan};
-// "vides", "csv", "json", "chan": as commands, lists and the command line name it.
-std::string_view name(FrameFormat format);
-// The format of that name; nothing where there is none.
-std::optional<FrameFormat> frameFormat(std::string_view name);
-
-// What positions are written in. Directions are the same in both.
-enum class FrameSpace { kCube, kWorld };
 
 // Frames first <= n < last.
 struct FrameRange {
@@ -41,11 +24,11 @@ struct FrameRange {
 };
 
 struct FrameOptions {
-  FrameFormat format = FrameFormat::kVides;
-  std::optional<FrameSpace> space;  // absent: world for chan, cube for the others
-  std::int64_t first = 0;           // frames first <= n < last, clipped to the flight
+  const FrameFormat* format = frameFormats().front();  // never null
+  std::optional<FrameSpace> space;                     // absent: the format's own
+  std::int64_t first = 0;  // frames first <= n < last, clipped to the flight
   std::int64_t last = std::numeric_limits<std::int64_t>::max();
-  std::int64_t firstNumber = 1;  // chan: the number that frame 0 of the flight gets
+  std::int64_t firstNumber = 1;  // what frame 0 of the flight gets, where frames are numbered
 };
 
 // What positions are written in, chosen or the format's own.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/frame_text.hpp"
+#include "io/vid_writer.hpp"
 
 namespace vides {
 namespace {
@@ -95,10 +96,16 @@ class JsonText : public FrameText {
   bool first_ = true;
 };
 
+std::unique_ptr<FrameText> make(const FrameTextInput& input) {
+  return std::make_unique<JsonText>(input.flight, input.space);
+}
+
 }  // namespace
 
-std::unique_ptr<FrameText> makeJsonText(const Flight& flight, const Space& space) {
-  return std::make_unique<JsonText>(flight, space);
-}
+extern const FrameFormat kJsonFrames{
+    .name = "json",
+    .purpose = "one object with lens, picture and space; a line per frame",
+    .ending = ".json",
+    .make = make};
 
 }  // namespace vides

@@ -32,10 +32,16 @@ class VidesText : public FrameText {
   Space space_;
 };
 
+std::unique_ptr<FrameText> make(const FrameTextInput& input) {
+  return std::make_unique<VidesText>(input.space);
+}
+
 }  // namespace
 
-std::unique_ptr<FrameText> makeVidesText(const Space& space) {
-  return std::make_unique<VidesText>(space);
-}
+extern const FrameFormat kVidesFrames{
+    .name = "vides",
+    .purpose = "ten numbers a line: VRP, VPN, VUP, zoom, with four decimals",
+    .ending = ".txt",
+    .make = make};
 
 }  // namespace vides

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "edit/frame_job.hpp"
 #include "panels/form.hpp"
@@ -15,9 +17,9 @@ namespace {
 
 void format(Form& form, const FrameOptions& options, Actions& actions) {
   Ui& ui = form.ui();
-  std::array<std::string_view, kFrameFormats.size()> names;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = name(kFrameFormats[i]);
-  const std::string_view now = name(options.format);
+  std::vector<std::string_view> names;
+  for (const FrameFormat* format : frameFormats()) names.push_back(format->name);
+  const std::string_view now = options.format->name;
   if (const auto chosen = choice(ui, "frames/format", form.row("frames/format"), names, now)) {
     actions.run(Command("frames-format", *chosen));
   }
@@ -47,13 +49,18 @@ void range(Form& form, const Session& session, Actions& actions) {
 void numbering(Form& form, const FrameOptions& options, Actions& actions) {
   Ui& ui = form.ui();
   const auto boxes = split(ui, form.row("frames/first_number"), 3);
-  const bool chan = options.format == FrameFormat::kChan;
-  actions.typed(ui.field("frames/first_number", boxes[0], static_cast<double>(options.firstNumber),
-                         {.decimals = 0, .enabled = chan, .weight = Weight::kSemibold}),
-                [](double value) { return Command("frames-first-number", value); });
+  std::string numbered;
+  for (const FrameFormat* format : frameFormats()) {
+    if (format->numbered) numbered.append(numbered.empty() ? "" : ", ").append(format->name);
+  }
+  actions.typed(
+      ui.field("frames/first_number", boxes[0], static_cast<double>(options.firstNumber),
+               {.decimals = 0, .enabled = options.format->numbered, .weight = Weight::kSemibold}),
+      [](double value) { return Command("frames-first-number", value); });
   ui.text({boxes[1].x + ui.px(4), boxes[1].y, boxes[2].right() - boxes[1].x - ui.px(4),
            boxes[1].height},
-          ui.words("frames/only_chan"), {.colour = ColourRole::kTextSecondary});
+          ui.tell(Text("frames.only_numbered", {numbered})),
+          {.colour = ColourRole::kTextSecondary});
 }
 
 void place(Form& form, const Session& session, Actions& actions) {

@@ -247,7 +247,7 @@ TEST(FlightEdits, TheFirstSceneIsFittedToTheCube) {
 // The current orientation's frame, as the frame writer puts it, is what the camera saw.
 void expectWritten(const Session& session, const Camera& camera) {
   FrameOptions options;
-  options.format = FrameFormat::kCsv;
+  options.format = frameFormat("csv");
   options.first = session.evaluation().frameOf(session.current());
   options.last = options.first + 1;
   std::string text;

@@ -32,7 +32,7 @@ std::string written(const Session& session, const FrameOptions& options) {
 TEST(FrameOutput, TheFileStandsBesideTheFlight) {
   FrameOutput output;
   EXPECT_EQ(frameFile(output, "/a/b/flight.vid", "untitled"), "/a/b/flight.txt");
-  output.options.format = FrameFormat::kChan;
+  output.options.format = frameFormat("chan");
   EXPECT_EQ(frameFile(output, "/a/b/flight.vid", "untitled"), "/a/b/flight.chan");
   EXPECT_EQ(frameFile(output, "", "untitled"), (fs::current_path() / "untitled.chan").string());
   output.file = "other.x";
@@ -44,11 +44,11 @@ TEST(FrameOutput, TheFileStandsBesideTheFlight) {
 }
 
 TEST(FrameOutput, AnotherFormatHasAnotherEnding) {
-  EXPECT_EQ(withEndingOf("/a/b.csv", FrameFormat::kJson), "/a/b.json");
-  EXPECT_EQ(withEndingOf("b.txt", FrameFormat::kChan), "b.chan");
-  EXPECT_EQ(withEndingOf("b.frames", FrameFormat::kChan), "b.frames");
-  EXPECT_EQ(withEndingOf("", FrameFormat::kChan), "");
-  EXPECT_EQ(withEndingOf(".csv", FrameFormat::kChan), ".csv");
+  EXPECT_EQ(withEndingOf("/a/b.csv", *frameFormat("json")), "/a/b.json");
+  EXPECT_EQ(withEndingOf("b.txt", *frameFormat("chan")), "b.chan");
+  EXPECT_EQ(withEndingOf("b.frames", *frameFormat("chan")), "b.frames");
+  EXPECT_EQ(withEndingOf("", *frameFormat("chan")), "");
+  EXPECT_EQ(withEndingOf(".csv", *frameFormat("chan")), ".csv");
 }
 
 TEST(FrameOutput, CountsWhatItTakes) {
@@ -93,7 +93,7 @@ TEST(FrameOutput, CommandsSetIt) {
   run(session, "new");
   EXPECT_TRUE(takesAll(session.frameOutput().options, 101));
   EXPECT_EQ(session.frameOutput().file, "");
-  EXPECT_EQ(session.frameOutput().options.format, FrameFormat::kChan);
+  EXPECT_EQ(session.frameOutput().options.format, frameFormat("chan"));
 }
 
 TEST(FrameOutput, WritesWhatTheWriterGives) {

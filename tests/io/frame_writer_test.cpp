@@ -66,7 +66,7 @@ std::vector<std::string> flightNames() {
   return names;
 }
 
-FrameOptions as(FrameFormat format) {
+FrameOptions as(const FrameFormat* format) {
   FrameOptions options;
   options.format = format;
   return options;
@@ -81,7 +81,7 @@ TEST_P(ReferenceFlight, TextIsTheReferencesExactly) {
 
 TEST_P(ReferenceFlight, CsvIsTheReferencesTo1e9) {
   const Evaluation evaluation(flightNamed(GetParam()));
-  const auto ours = linesOf(framesOf(evaluation, as(FrameFormat::kCsv)));
+  const auto ours = linesOf(framesOf(evaluation, as(frameFormat("csv"))));
   const auto theirs = linesOf(referenceOf(GetParam(), ".frames.csv"));
   ASSERT_EQ(ours.size(), theirs.size());
   ASSERT_EQ(ours[0], theirs[0]);
@@ -100,8 +100,8 @@ TEST_P(ReferenceFlight, CsvIsTheReferencesTo1e9) {
 TEST_P(ReferenceFlight, JsonHasTheNumbersOfTheCsv) {
   const Flight flight = flightNamed(GetParam());
   const Evaluation evaluation(flight);
-  const auto rows = linesOf(framesOf(evaluation, as(FrameFormat::kCsv)));
-  const std::string text = framesOf(evaluation, as(FrameFormat::kJson));
+  const auto rows = linesOf(framesOf(evaluation, as(frameFormat("csv"))));
+  const std::string text = framesOf(evaluation, as(frameFormat("json")));
   const Json json = Json::parse(text);
   const Lens& lens = flight.lens;
   const double aspect = static_cast<double>(flight.picture.height) / flight.picture.width;
@@ -133,8 +133,8 @@ TEST_P(ReferenceFlight, ChanGivesTheCamerasOfTheCsv) {
   Flight flight = flightNamed(GetParam());
   flight.space = {{1.0, -2.0, 3.0}, 5.0};
   const Evaluation evaluation(flight);
-  const auto rows = linesOf(framesOf(evaluation, as(FrameFormat::kCsv)));
-  const auto lines = linesOf(framesOf(evaluation, as(FrameFormat::kChan)));
+  const auto rows = linesOf(framesOf(evaluation, as(frameFormat("csv"))));
+  const auto lines = linesOf(framesOf(evaluation, as(frameFormat("chan"))));
   ASSERT_EQ(lines.size() + 1, rows.size());
   std::vector<double> before;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -174,9 +174,10 @@ TEST_P(ReferenceFlight, ChanGivesTheCamerasOfTheCsv) {
 TEST_P(ReferenceFlight, APartHasTheLinesOfTheWhole) {
   const Evaluation evaluation(flightNamed(GetParam()));
   const std::int64_t count = evaluation.frameCount();
-  for (const FrameFormat format : {FrameFormat::kVides, FrameFormat::kCsv, FrameFormat::kChan}) {
+  for (const FrameFormat* format :
+       {frameFormat("vides"), frameFormat("csv"), frameFormat("chan")}) {
     const auto whole = linesOf(framesOf(evaluation, as(format)));
-    const std::size_t head = format == FrameFormat::kCsv ? 1 : 0;
+    const std::size_t head = format == frameFormat("csv") ? 1 : 0;
     FrameOptions options = as(format);
     options.first = count / 3;
     options.last = 2 * count / 3 + 1;
@@ -202,7 +203,7 @@ TEST(FrameWriter, JsonsHeadDescribesTheFlight) {
   flight.frameRate = 23.976;
   flight.picture.width = 2048;
   flight.space = {{1.5, 0.0, -2.0}, 0.25};
-  FrameOptions options = as(FrameFormat::kJson);
+  FrameOptions options = as(frameFormat("json"));
   options.last = 1;
   const std::string text = framesOf(Evaluation(flight), options);
   EXPECT_EQ(text.substr(0, text.find('\n')),
@@ -227,7 +228,7 @@ TEST(FrameWriter, RangesClip) {
   EXPECT_EQ(size(-5, 2), 2u);
   EXPECT_EQ(size(50, 1'000'000'000'000), all - 50);
   EXPECT_EQ(size(evaluation.frameCount(), evaluation.frameCount() + 1), 0u);
-  FrameOptions nothing = as(FrameFormat::kJson);
+  FrameOptions nothing = as(frameFormat("json"));
   nothing.first = 1'000'000;
   EXPECT_TRUE(Json::parse(framesOf(evaluation, nothing))["frames"].empty());
 }
@@ -236,9 +237,9 @@ TEST(FrameWriter, WorldMovesPositionsOnly) {
   Flight flight = flightNamed("tracking");
   flight.space = {{10.0, 20.0, 30.0}, 2.0};
   const Evaluation evaluation(flight);
-  FrameOptions world = as(FrameFormat::kCsv);
+  FrameOptions world = as(frameFormat("csv"));
   world.space = FrameSpace::kWorld;
-  const auto cube = linesOf(framesOf(evaluation, as(FrameFormat::kCsv)));
+  const auto cube = linesOf(framesOf(evaluation, as(frameFormat("csv"))));
   const auto moved = linesOf(framesOf(evaluation, world));
   ASSERT_EQ(cube.size(), moved.size());
   for (std::size_t i = 1; i < cube.size(); ++i) {
@@ -256,7 +257,7 @@ TEST(FrameWriter, WorldMovesPositionsOnly) {
 
 TEST(FrameWriter, ChanCountsFromTheGivenNumber) {
   const Evaluation evaluation(flightNamed("two-keys"));
-  FrameOptions options = as(FrameFormat::kChan);
+  FrameOptions options = as(frameFormat("chan"));
   options.firstNumber = 1001;
   options.first = 10;
   options.last = 12;
@@ -277,8 +278,7 @@ TEST(FrameWriter, NoFormatWritesMinusZero) {
   flight.keys.set(0, a);
   flight.keys.set(1, b);
   const Evaluation evaluation(flight);
-  for (const FrameFormat format :
-       {FrameFormat::kVides, FrameFormat::kCsv, FrameFormat::kJson, FrameFormat::kChan}) {
+  for (const FrameFormat* format : frameFormats()) {
     for (std::string text = framesOf(evaluation, as(format)); const char c : {' ', ',', '['}) {
       for (const char* zero : {"-0\n", "-0 ", "-0,", "-0]", "-0.0000 ", "-0.0000\n", "-0.000000"}) {
         EXPECT_EQ(text.find(c + std::string(zero)), std::string::npos);
@@ -292,7 +292,7 @@ TEST(FrameWriter, StopsWhereTheSinkDoes) {
   flight.rates.move = 10000;
   const Evaluation evaluation(flight);
   int pieces = 0;
-  EXPECT_FALSE(writeFrames(evaluation, as(FrameFormat::kCsv),
+  EXPECT_FALSE(writeFrames(evaluation, as(frameFormat("csv")),
                            [&](std::string_view) { return ++pieces < 3; }));
   EXPECT_EQ(pieces, 3);
 }
@@ -304,7 +304,7 @@ TEST(FrameWriter, HandsOnPiecesAndReportsProgress) {
   std::size_t largest = 0, pieces = 0;
   std::int64_t reported = -1;
   EXPECT_TRUE(writeFrames(
-      evaluation, as(FrameFormat::kJson),
+      evaluation, as(frameFormat("json")),
       [&](std::string_view piece) {
         largest = std::max(largest, piece.size());
         return ++pieces > 0;
@@ -323,7 +323,7 @@ TEST(FrameWriter, HandsOnPiecesAndReportsProgress) {
 // Also before the first piece: a .chan is followed from frame 0 on.
 TEST(FrameWriter, TheProgressCanStopIt) {
   const Evaluation evaluation(flightNamed("random-103"));
-  FrameOptions options = as(FrameFormat::kChan);
+  FrameOptions options = as(frameFormat("chan"));
   options.first = evaluation.frameCount() - 1;
   int asked = 0;
   EXPECT_FALSE(writeFrames(
@@ -336,8 +336,7 @@ TEST(FrameWriter, IsTheSameInGerman) {
   const Evaluation evaluation(flightNamed("random-103"));
   const auto all = [&] {
     std::string text;
-    for (const FrameFormat format :
-         {FrameFormat::kVides, FrameFormat::kCsv, FrameFormat::kJson, FrameFormat::kChan}) {
+    for (const FrameFormat* format : frameFormats()) {
       text += framesOf(evaluation, as(format));
     }
     return text;
