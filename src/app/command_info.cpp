@@ -144,7 +144,7 @@ void writeText(const Evaluation& evaluation, const std::string& file, Output& ou
   output.write(fmt::format("Keys          {} ({})\n", flight.keys.size(),
                            flight.closed ? "closed" : "open"));
   output.write(fmt::format("Orientations  {} (curve: {})\n", flight.keys.orientations(),
-                           name(flight.orientationCurve)));
+                           flight.orientationCurve->name));
   output.write(
       fmt::format("Frames        {} ({} a second)\n", evaluation.frameCount(), flight.frameRate));
   output.write(fmt::format("Seconds       {:.2f}\n", seconds(evaluation.frameCount(), flight)));

@@ -159,8 +159,9 @@ void addFlightCommands(Table& t) {
   addEdit(t, "set-rates", {number("MOVE"), number("PAN"), number("ROLL"), number("ZOOM")},
           setRatesEdit);
   addEdit(t, "set-closed", {choice("on|off|toggle", {"on", "off", "toggle"})}, setClosedEdit);
-  addEdit(t, "set-orientation-curve", {choice("CURVE", {"smooth", "catmull_rom", "slerp"})},
-          setOrientationCurveEdit);
+  std::vector<std::string> methods;
+  for (const OrientationMethod* method : orientationMethods()) methods.emplace_back(method->name);
+  addEdit(t, "set-orientation-curve", {choice("CURVE", methods)}, setOrientationCurveEdit);
   addEdit(t, "set-space",
           {number("CENTER_X"), number("CENTER_Y"), number("CENTER_Z"), number("HALF_SIZE")},
           setSpaceEdit);

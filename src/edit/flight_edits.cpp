@@ -118,10 +118,7 @@ EditResult setClosedEdit(const EditState& state, const Arguments& arguments) {
 
 EditResult setOrientationCurveEdit(const EditState& state, const Arguments& arguments) {
   Flight flight = state.flight;
-  // The command's arguments are checked: it is one of them.
-  for (const OrientationCurve curve : kOrientationCurves) {
-    if (name(curve) == arguments.text(0)) flight.orientationCurve = curve;
-  }
+  flight.orientationCurve = orientationMethod(arguments.text(0));  // checked before
   return changedFlight(state, "step.set-orientation-curve", std::move(flight));
 }
 

@@ -26,7 +26,7 @@ void setPathAt(const Chain& chain, const OrientationPlace& place, SectionRecord&
   const Neighbours beside = chain.neighbours(place);
   s.signs = chain.linkSigns(place, beside);
   s.signsDependOnChain = chain.signsDependOnChain(place, beside);
-  s.path = makeOrientationPath(chain.pathInput(place, beside));
+  s.path = chain.method().make(chain.pathInput(place, beside));
 }
 
 // The records that take part in a build, all of them in one array.
@@ -34,7 +34,7 @@ class WholeChain : public Chain {
  public:
   WholeChain(const EvaluationTree& tree, const Flight& flight,
              const std::vector<FreshRecord>& records)
-      : Chain(tree, flight.closed, flight.orientationCurve), records_(records) {}
+      : Chain(tree, flight.closed, *flight.orientationCurve), records_(records) {}
   const KeyRecord& record(std::size_t key) const override { return *records_[key]; }
 
  private:
@@ -89,7 +89,7 @@ EvaluationTree buildWhole(const Flight& flight, const EvaluationTree* reuse) {
 class Update : public Chain {
  public:
   Update(EvaluationTree& tree, const Flight& flight)
-      : Chain(tree, flight.closed, flight.orientationCurve), tree_(tree), flight_(flight) {}
+      : Chain(tree, flight.closed, *flight.orientationCurve), tree_(tree), flight_(flight) {}
 
   const KeyRecord& record(std::size_t key) const override {
     const auto found = find(key);

@@ -124,7 +124,7 @@ PathSection Chain::pathSection(const OrientationPlace& place, int startSign, int
   p.end = signedBy(startSign * linkSign, s.qEnd);
   p.work = s.work;
   p.hold = s.kind == SectionKind::kHold;
-  p.tracking = s.tracking && curve_ == OrientationCurve::kSmooth;
+  p.tracking = s.tracking && method_.tracks;
   if (p.tracking) {
     p.aim = s.aim;
     p.rollStart = s.roll * (std::numbers::pi / 180.0);
@@ -154,7 +154,6 @@ bool Chain::signsDependOnChain(const OrientationPlace& place, const Neighbours& 
 
 PathInput Chain::pathInput(const OrientationPlace& place, const Neighbours& beside) const {
   PathInput in;
-  in.curve = curve_;
   const int own = linkSign(place);
   in.section = pathSection(place, 1, own);
   const OrientationPlace end = after(place);

@@ -18,8 +18,8 @@ struct Neighbours {
 // through record(), which a builder overrides to show its unfinished ones.
 class Chain {
  public:
-  Chain(const EvaluationTree& tree, bool closed, OrientationCurve curve)
-      : tree_(tree), closed_(closed), curve_(curve) {}
+  Chain(const EvaluationTree& tree, bool closed, const OrientationMethod& method)
+      : tree_(tree), closed_(closed), method_(method) {}
   virtual ~Chain() = default;
   Chain(const Chain&) = delete;
   Chain& operator=(const Chain&) = delete;
@@ -29,6 +29,7 @@ class Chain {
     return record(place.key).sections[place.orientation];
   }
   std::size_t keys() const { return tree_.size(); }
+  const OrientationMethod& method() const { return method_; }
 
   // The orientation after `place`; wraps, also in an open flight.
   OrientationPlace after(const OrientationPlace& place) const;
@@ -69,7 +70,7 @@ class Chain {
 
   const EvaluationTree& tree_;
   bool closed_;
-  OrientationCurve curve_;
+  const OrientationMethod& method_;
 };
 
 }  // namespace vides

@@ -125,7 +125,7 @@ const OrientationPath& pathOf(const Chain& chain, const OrientationPlace& place,
   if (!section.signsDependOnChain) return section.path;
   const Neighbours beside = chain.neighbours(place);
   if (chain.linkSigns(place, beside) == section.signs) return section.path;
-  made = makeOrientationPath(chain.pathInput(place, beside));
+  made = chain.method().make(chain.pathInput(place, beside));
   return made;
 }
 
@@ -148,7 +148,7 @@ Camera cameraInSection(const KeyRecord& record, const SectionRecord& section,
     camera.viewReferencePoint =
         record.position + progress * (section.positionEnd - record.position);
   }
-  const ViewDirection view = path.at(progress, camera.viewReferencePoint);
+  const ViewDirection view = path.at({progress, camera.viewReferencePoint});
   camera.viewPlaneNormal = view.viewPlaneNormal;
   camera.viewUpVector = view.viewUpVector;
   camera.zoom = section.zoom + progress * (section.zoomEnd - section.zoom);

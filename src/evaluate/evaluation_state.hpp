@@ -12,7 +12,7 @@ struct Evaluation::State {
   Flight flight;
   EvaluationTree tree;
 
-  Chain chain() const { return Chain(tree, flight.closed, flight.orientationCurve); }
+  Chain chain() const { return Chain(tree, flight.closed, *flight.orientationCurve); }
   std::int64_t frameCount() const;
   // The hold before an orientation, or the section that it begins.
   Section entryAt(const OrientationPlace& place, bool inHold) const;

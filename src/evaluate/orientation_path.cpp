@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The orientation curves: smooth (with tracking moves), Schlag's, and piecewise slerp.
+// What all orientation methods share.
 #include "evaluate/orientation_path.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace vides {
@@ -10,125 +9,10 @@ namespace {
 
 // Ends closer than this do not turn.
 constexpr double kStill = 1e-12;
-// Below this share of the length a tangent counts as zero.
-constexpr double kNoTangent = 1e-9;
-// The camera stands on its aim: no direction is defined.
-constexpr double kOnAim = 1e-9;
-// Looking straight up or down: yaw and pitch rates are not defined.
-constexpr double kPole = 1e-7;
 
 double distance(const Quaternion& a, const Quaternion& b) {
   const double w = a.w - b.w, x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
   return std::sqrt(w * w + x * x + y * y + z * z);
-}
-
-Vec3 shortened(const Vec3& v, double most) {
-  const double size = glm::length(v);
-  return size > most ? v * (most / size) : v;
-}
-
-double shortened(double v, double most) { return std::clamp(v, -most, most); }
-
-// The direction of travel at an end of the curve, also where the tangent vanishes.
-Vec3 travelDirection(const PathSection& s, bool atEnd) {
-  const double u = atEnd ? 1.0 : 0.0;
-  const double tiny = kNoTangent * s.length;
-  Vec3 t = s.curve->derivative(u);
-  if (glm::length(t) <= tiny) {
-    t = s.curve->secondDerivative(u);
-    if (atEnd) t = -t;
-    if (glm::length(t) <= tiny) t = s.curve->thirdDerivative();
-  }
-  const double size = glm::length(t);
-  return size > 0.0 ? t / size : Vec3(0.0);
-}
-
-// omega = Omega / 2 of a tracking move at one of its ends, per unit of work.
-Vec3 trackingTurnRate(const PathSection& s, bool atEnd) {
-  const Vec3 position = s.curve->point(atEnd ? 1.0 : 0.0);
-  const Vec3 toAim = s.aim - position;
-  const double d = glm::length(toAim);
-  if (d < kOnAim) return Vec3(0.0);
-  const Vec3 n = toAim / d;
-  const double across = std::hypot(n.x, n.z);
-  if (across < kPole) return Vec3(0.0);
-  const Vec3 t = travelDirection(s, atEnd);
-  const Vec3 change = -(t - n * glm::dot(n, t)) * (s.length / (s.work * d));
-  const double yawRate = (n.z * change.x - n.x * change.z) / (n.x * n.x + n.z * n.z);
-  const double pitchRate = -change.y / across;
-  const Vec3 pitchAxis(n.z / across, 0.0, -n.x / across);
-  return 0.5 * (Vec3(0.0, yawRate, 0.0) + pitchRate * pitchAxis + s.rollRate() * n);
-}
-
-// The angular velocity that two neighbouring sections share at their joint, for the controls of the
-// one that does not track.
-Vec3 jointTurnRate(const PathSection& before, const PathSection& after, bool rests) {
-  if (rests) return Vec3(0.0);
-  if (before.tracking) {
-    if (after.still()) return Vec3(0.0);
-    return shortened(trackingTurnRate(before, true), glm::length(after.turnRate()));
-  }
-  if (after.tracking) {
-    if (before.still()) return Vec3(0.0);
-    return shortened(trackingTurnRate(after, false), glm::length(before.turnRate()));
-  }
-  if (before.still() || after.still()) return Vec3(0.0);
-  const Vec3 a = before.turnRate();
-  const Vec3 b = after.turnRate();
-  const Vec3 mean = (after.work * a + before.work * b) / (before.work + after.work);
-  return shortened(mean, std::min(glm::length(a), glm::length(b)));
-}
-
-// The rate of roll that a tracking move has at a joint (its own where `other` does not track).
-double jointRollRate(const PathSection& own, const std::optional<PathSection>& other, bool rests) {
-  if (rests) return 0.0;
-  const double rate = own.rollRate();
-  if (!other || !other->tracking) return rate;
-  const double otherRate = other->rollRate();
-  const double mean = (own.work * otherRate + other->work * rate) / (own.work + other->work);
-  return shortened(mean, std::min(std::abs(rate), std::abs(otherRate)));
-}
-
-OrientationPath trackingPath(const PathInput& in) {
-  const PathSection& s = in.section;
-  TrackingPath path;
-  path.aim = s.aim;
-  path.start = s.start;
-  path.rollStart = s.rollStart;
-  path.rollChange = s.rollChange;
-  path.slopeStart = s.work * jointRollRate(s, in.previous, in.restsBefore);
-  path.slopeEnd = s.work * jointRollRate(s, in.next, in.restsAfter);
-  return OrientationPath(path);
-}
-
-OrientationPath bezierPath(const PathInput& in) {
-  const PathSection& s = in.section;
-  const bool still = s.still();
-  Quaternion after = s.start;
-  Quaternion before = s.end;
-  if (in.previous) {
-    const Vec3 rate = jointTurnRate(*in.previous, s, in.restsBefore);
-    after = exp(rate * (s.work / 3.0)) * s.start;
-  }
-  if (in.next) {
-    const Vec3 rate = jointTurnRate(s, *in.next, in.restsAfter);
-    before = exp(rate * (-s.work / 3.0)) * s.end;
-  }
-  if (!in.previous && !still && !in.restsBefore) {
-    after = in.next ? slerp(s.start, before, 0.5) : slerp(s.start, s.end, 1.0 / 3.0);
-  }
-  if (!in.next && !still && !in.restsAfter) {
-    before = in.previous ? slerp(s.end, after, 0.5) : slerp(s.start, s.end, 2.0 / 3.0);
-  }
-  return OrientationPath(SphericalBezier(s.start, after, before, s.end));
-}
-
-OrientationPath schlagPath(const PathInput& in) {
-  const PathSection& s = in.section;
-  if (s.still()) return OrientationPath(ConstantPath{s.start});
-  const Quaternion q0 = in.previous ? in.previous->start : slerp(s.end, s.start, 2.0);
-  const Quaternion q3 = in.next ? in.next->end : slerp(s.start, s.end, 2.0);
-  return OrientationPath(SchlagCurve(q0, s.start, s.end, q3));
 }
 
 }  // namespace
@@ -138,44 +22,5 @@ ViewDirection viewDirection(const Quaternion& q) { return {viewPlaneNormal(q), v
 bool PathSection::still() const { return hold || distance(start, end) < kStill; }
 
 Vec3 PathSection::turnRate() const { return log(end * glm::conjugate(start)) / work; }
-
-ViewDirection TrackingPath::at(double t, const Vec3& position) const {
-  const Vec3 toAim = aim - position;
-  const double d = glm::length(toAim);
-  if (d < kOnAim) return viewDirection(start);
-  const Vec3 n = toAim / d;
-  const double t2 = t * t;
-  const double t3 = t2 * t;
-  const double roll = rollStart + rollChange * (3.0 * t2 - 2.0 * t3) +
-                      slopeStart * (t3 - 2.0 * t2 + t) + slopeEnd * (t3 - t2);
-  return {n, viewUpVector(n, roll)};
-}
-
-ViewDirection OrientationPath::at(double progress, const Vec3& position) const {
-  struct Visitor {
-    double t;
-    const Vec3& position;
-    ViewDirection operator()(const ConstantPath& c) const { return viewDirection(c.q); }
-    ViewDirection operator()(const SlerpArc& c) const { return viewDirection(c.at(t)); }
-    ViewDirection operator()(const SchlagCurve& c) const { return viewDirection(c.at(t)); }
-    ViewDirection operator()(const SphericalBezier& c) const { return viewDirection(c.at(t)); }
-    ViewDirection operator()(const TrackingPath& c) const {
-      return t == 0.0 ? viewDirection(c.start) : c.at(t, position);
-    }
-  };
-  return std::visit(Visitor{progress, position}, curve_);
-}
-
-OrientationPath makeOrientationPath(const PathInput& in) {
-  switch (in.curve) {
-    case OrientationCurve::kSlerp:
-      return OrientationPath(SlerpArc(in.section.start, in.section.end));
-    case OrientationCurve::kCatmullRom:
-      return schlagPath(in);
-    case OrientationCurve::kSmooth:
-      break;
-  }
-  return in.section.tracking ? trackingPath(in) : bezierPath(in);
-}
 
 }  // namespace vides

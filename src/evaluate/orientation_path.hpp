@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How VPN and VUP go through one section: the three orientation curves of 2-flight-model.
+// How VPN and VUP go through one section: what the orientation methods (2-flight-model,
+// "Orientation curves") are given, and what they make of it.
 #pragma once
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
 #include <optional>
-#include <variant>
+#include <type_traits>
 
 #include "flight/flight.hpp"
 #include "math/cubic_segment.hpp"
@@ -19,33 +23,54 @@ struct ViewDirection {
 
 ViewDirection viewDirection(const Quaternion& q);
 
-// A move that keeps looking at one point: VPN from the position, roll by a cubic in the progress.
-struct TrackingPath {
-  Vec3 aim{0.0};            // cube coordinates
-  double rollStart = 0.0;   // radians
-  double rollChange = 0.0;  // radians
-  double slopeStart = 0.0;  // d roll / d progress at both ends, radians
-  double slopeEnd = 0.0;
-  Quaternion start{1.0, 0.0, 0.0, 0.0};  // taken where the camera stands on the aim
-
-  ViewDirection at(double progress, const Vec3& position) const;
+// Where in its section a camera stands.
+struct PathContext {
+  double progress = 0.0;  // in [0, 1)
+  Vec3 position{0.0};     // the VRP there, cube coordinates
 };
 
-struct ConstantPath {
-  Quaternion q{1.0, 0.0, 0.0, 0.0};
-};
-
+// The way through one section, of whatever method made it: any value that can be copied bit by bit
+// and has `ViewDirection at(const PathContext&) const`. Small ones lie in the path itself.
 class OrientationPath {
  public:
-  OrientationPath() = default;
-  template <class Curve>
-  explicit OrientationPath(Curve curve) : curve_(std::move(curve)) {}
+  OrientationPath() : OrientationPath(ConstantPath{}) {}
+  template <class Way>
+  explicit OrientationPath(const Way& way) : at_(&atOf<Way>) {
+    static_assert(std::is_trivially_copyable_v<Way> && alignof(Way) <= alignof(double));
+    if constexpr (sizeof(Way) <= kRoom) {
+      new (room_.data()) Way(way);
+    } else {
+      shared_ = std::make_shared<const Way>(way);
+    }
+  }
 
-  // progress in [0, 1); `position` is the VRP there.
-  ViewDirection at(double progress, const Vec3& position) const;
+  ViewDirection at(const PathContext& context) const {
+    return at_(shared_ ? shared_.get() : room_.data(), context);
+  }
 
  private:
-  std::variant<ConstantPath, SlerpArc, SchlagCurve, SphericalBezier, TrackingPath> curve_;
+  // Three arcs of a sphere, which is what most methods come to.
+  static constexpr std::size_t kRoom = 3 * sizeof(SlerpArc);
+  struct ConstantPath {
+    ViewDirection at(const PathContext&) const { return {}; }
+  };
+  template <class Way>
+  static ViewDirection atOf(const void* way, const PathContext& context) {
+    return std::launder(static_cast<const Way*>(way))->at(context);
+  }
+
+  ViewDirection (*at_)(const void* way, const PathContext& context);
+  std::shared_ptr<const void> shared_;
+  alignas(double) std::array<std::byte, kRoom> room_{};
+};
+
+// A curve of quaternions as a way: `Quaternion at(double progress) const`.
+template <class Curve>
+struct TurningPath {
+  Curve curve;
+  ViewDirection at(const PathContext& context) const {
+    return viewDirection(curve.at(context.progress));
+  }
 };
 
 // What the orientation curve needs to know of a section: its ends with the sign that makes them
@@ -71,14 +96,11 @@ struct PathSection {
 // A section with its neighbours, if it has any. The neighbours' ends carry signs such that
 // previous->end is the same sheet of the 3-sphere as section.start, next->start as section.end.
 struct PathInput {
-  OrientationCurve curve = OrientationCurve::kSmooth;
   PathSection section;
   std::optional<PathSection> previous;
   std::optional<PathSection> next;
   bool restsBefore = false;  // a hold lies in the joint (or the open end) before the section
   bool restsAfter = false;
 };
-
-OrientationPath makeOrientationPath(const PathInput& input);
 
 }  // namespace vides

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "flight/orientation_method.hpp"
 #include "flight/shared_sequence.hpp"
 #include "math/kochanek_bartels.hpp"
 #include "math/lens.hpp"
@@ -31,21 +32,6 @@ using Extra = std::shared_ptr<const ExtraMembers>;
 bool sameExtra(const Extra& a, const Extra& b);
 
 enum class AimMode { kAbsolute, kRelative };
-enum class OrientationCurve { kSmooth, kCatmullRom, kSlerp };
-inline constexpr std::array kOrientationCurves{
-    OrientationCurve::kSmooth, OrientationCurve::kCatmullRom, OrientationCurve::kSlerp};
-// "smooth", "catmull_rom" or "slerp": as files, commands and lists name it.
-constexpr std::string_view name(OrientationCurve curve) {
-  switch (curve) {
-    case OrientationCurve::kSmooth:
-      break;
-    case OrientationCurve::kCatmullRom:
-      return "catmull_rom";
-    case OrientationCurve::kSlerp:
-      return "slerp";
-  }
-  return "smooth";
-}
 
 // Aim, roll, zoom, and the speed curve, duration and hold of the section that it begins.
 struct Orientation {
@@ -186,7 +172,7 @@ struct Flight {
   Space space;
   Rates rates;
   bool closed = false;  // after the last key the flight goes on to the first
-  OrientationCurve orientationCurve = OrientationCurve::kSmooth;
+  const OrientationMethod* orientationCurve = orientationMethods().front();  // never null
   std::array<Shape, kPresets> presets = paperPresets();
   KeyList keys;
   std::vector<SceneFile> scene;

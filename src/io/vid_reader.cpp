@@ -55,10 +55,14 @@ Expectation expectScene() { return expectKind(Expected::kArray); }
 
 constexpr VidValues::Choice<AimMode> kAimModes[] = {{"absolute", AimMode::kAbsolute},
                                                     {"relative", AimMode::kRelative}};
-constexpr VidValues::Choice<OrientationCurve> kCurveNames[] = {
-    {name(OrientationCurve::kSmooth), OrientationCurve::kSmooth},
-    {name(OrientationCurve::kCatmullRom), OrientationCurve::kCatmullRom},
-    {name(OrientationCurve::kSlerp), OrientationCurve::kSlerp}};
+
+void readOrientationCurve(VidValues& v, FlightReading& f) {
+  std::vector<VidValues::Choice<const OrientationMethod*>> choices;
+  for (const OrientationMethod* method : orientationMethods()) {
+    choices.push_back({method->name, method});
+  }
+  v.oneOf<const OrientationMethod*>(choices, f.flight.orientationCurve);
+}
 
 // A `duration` that is absent means something else than any number.
 void readDuration(VidValues& v, OrientationReading& o) {
@@ -269,10 +273,7 @@ constexpr Member<FlightReading> kFlightMembers[] = {
        v.object<Rates>(kRatesMembers, f.flight.rates, f.flight.extras.rates);
      }},
     {"closed", [](VidValues& v, FlightReading& f) { v.boolean(f.flight.closed); }},
-    {"orientation_curve",
-     [](VidValues& v, FlightReading& f) {
-       v.oneOf<OrientationCurve>(kCurveNames, f.flight.orientationCurve);
-     }},
+    {"orientation_curve", readOrientationCurve},
     {"presets", readPresets},
     {"keys", readKeys, expectKeys},
     {"scene", readScene}};

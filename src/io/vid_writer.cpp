@@ -215,7 +215,7 @@ bool writeVid(const Flight& flight, const TextSink& sink) {
   to.member("frame_rate", flight.frameRate);
   writeSmallObjects(to, flight);
   to.member("closed", flight.closed);
-  to.member("orientation_curve", name(flight.orientationCurve));
+  to.member("orientation_curve", flight.orientationCurve->name);
   writePresets(to, flight);
   to.member("keys");
   to.open('[');

@@ -112,10 +112,10 @@ void course(Form& form, const Flight& flight, Actions& actions) {
                                  kSwitch[flight.closed ? 1 : 0])) {
     actions.run(Command("set-closed", *chosen));
   }
-  std::array<std::string_view, kOrientationCurves.size()> names;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = name(kOrientationCurves[i]);
+  std::vector<std::string_view> names;
+  for (const OrientationMethod* method : orientationMethods()) names.push_back(method->name);
   if (const auto chosen = choice(ui, "flight/orientation_curve", form.row("flight/between"), names,
-                                 name(flight.orientationCurve))) {
+                                 flight.orientationCurve->name)) {
     actions.run(Command("set-orientation-curve", *chosen));
   }
 }

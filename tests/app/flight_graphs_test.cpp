@@ -15,7 +15,7 @@ namespace {
 // A roll of nine frames with a speed curve, a move.
 Flight shortRoll() {
   Flight flight;
-  flight.orientationCurve = OrientationCurve::kSlerp;
+  flight.orientationCurve = orientationMethod("slerp");
   Key key;
   key.position = {0.5, 0.2, 0.8};
   key.orientations.front().aim = {0, 0, 0};

@@ -62,7 +62,7 @@ TEST(Joints, HaveNoJumps) {
     const Flight flight = test::randomFlight(random, {.nasty = seed % 2 == 0});
     const Evaluation evaluation(flight);
     const EvaluationTree tree = buildTree(flight);
-    const Chain chain(tree, flight.closed, flight.orientationCurve);
+    const Chain chain(tree, flight.closed, *flight.orientationCurve);
     for (std::size_t k = 0; k < tree.size(); ++k) {
       for (std::size_t j = 0; j < tree[k]->sections.size(); ++j) {
         SectionRecord s = tree[k]->sections[j];
@@ -108,9 +108,9 @@ TEST(Joints, SmoothCurvesTurnWithoutAJump) {
   for (std::uint64_t seed = 1; joints < 500; ++seed) {
     Random random(seed);
     Flight flight = test::randomFlight(random, {});
-    flight.orientationCurve = OrientationCurve::kSmooth;
+    flight.orientationCurve = orientationMethod("smooth");
     const EvaluationTree tree = buildTree(flight);
-    const Chain chain(tree, flight.closed, flight.orientationCurve);
+    const Chain chain(tree, flight.closed, *flight.orientationCurve);
     for (std::size_t k = 0; k < tree.size(); ++k) {
       const KeyRecord& record = *tree[k];
       for (std::size_t j = 0; j < record.sections.size(); ++j) {

@@ -67,7 +67,7 @@ TEST(VidReader, DefaultsOfAbsentMembers) {
   EXPECT_EQ(flight.rates.move, 100);
   EXPECT_EQ(flight.rates.zoom, 100);
   EXPECT_FALSE(flight.closed);
-  EXPECT_EQ(flight.orientationCurve, OrientationCurve::kSmooth);
+  EXPECT_EQ(flight.orientationCurve, orientationMethod("smooth"));
   EXPECT_EQ(flight.presets[6], (Shape{0, 0.5, 0}));
   const Orientation& o = flight.keys[0].orientations[0];
   EXPECT_EQ(flight.keys[0].shape.preset, 0);
@@ -109,7 +109,7 @@ TEST(VidReader, EveryMember) {
   EXPECT_EQ(flight.space, (Space{{1, -2, 3.5}, 250}));
   EXPECT_EQ(flight.rates, (Rates{10, 20, 30, 40}));
   EXPECT_TRUE(flight.closed);
-  EXPECT_EQ(flight.orientationCurve, OrientationCurve::kCatmullRom);
+  EXPECT_EQ(flight.orientationCurve, orientationMethod("catmull_rom"));
   EXPECT_EQ(flight.presets[0], (Shape{0.1, 0.2, 0.3}));
   EXPECT_EQ(flight.presets[9], (Shape{-1, 1, -1}));
   ASSERT_EQ(flight.keys.size(), 2U);

@@ -251,7 +251,7 @@ Flight randomDocument(Random& random, int mostKeys) {
   f.rates.roll = valueIn(random, limits::kRate);
   f.rates.zoom = valueIn(random, limits::kRate);
   f.closed = random.coin();
-  f.orientationCurve = static_cast<OrientationCurve>(below(random, 3));
+  f.orientationCurve = orientationMethods()[below(random, orientationMethods().size())];
   for (Shape& shape : f.presets) shape = shapeIn(random);
   const std::size_t count = 2 + below(random, static_cast<std::size_t>(mostKeys) - 1);
   std::vector<KeyPointer> keys;

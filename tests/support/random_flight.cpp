@@ -167,10 +167,16 @@ Key randomKey(Random& random, bool nasty) {
   return key;
 }
 
+// One of all that there are: a new one is tried without being told.
+const OrientationMethod* anyMethod(Random& random) {
+  const auto all = orientationMethods();
+  return all[pick(random, all.size())];
+}
+
 Flight randomFlight(Random& random, const FlightKind& kind) {
   Flight flight;
   flight.closed = chance(random, 0.4);
-  flight.orientationCurve = static_cast<OrientationCurve>(integer(random, 0, 2));
+  flight.orientationCurve = anyMethod(random);
   flight.frameRate = chance(random, 0.5) ? 25.0 : random.between(5.0, 60.0);
   const auto rate = [&] { return random.between(2.0, 30.0); };
   flight.rates = {rate(), rate(), rate(), rate()};
@@ -205,7 +211,7 @@ void editRandomly(Random& random, Flight& flight, bool nasty) {
       flight.closed = !flight.closed;
       break;
     case 3:
-      flight.orientationCurve = static_cast<OrientationCurve>(integer(random, 0, 2));
+      flight.orientationCurve = anyMethod(random);
       break;
     case 4:
       flight.presets[pick(random, kPresets)] = randomShape(random, nasty);
